@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_TESTS_TABLE_H
+#define RODPACK_TESTS_TABLE_H
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rodpack::test {
+
+/// Numbers in named columns.
+class Table {
+ public:
+  /// `rows` each hold one value per name. `origin` (a file's name) goes into error messages.
+  Table(std::string origin, std::vector<std::string> names,
+        const std::vector<std::vector<double>>& rows, long timestep = 0);
+
+  /// Throws std::out_of_range naming the column and those that exist.
+  const std::vector<double>& column(const std::string& name) const;
+  std::size_t rows() const { return rows_; }
+  const std::vector<std::string>& names() const { return names_; }
+  /// Time step of a dump's frame, 0 for other tables.
+  long timestep() const { return timestep_; }
+
+ private:
+  std::string origin_;
+  std::vector<std::string> names_;
+  std::vector<std::vector<double>> columns_;
+  std::size_t rows_;
+  long timestep_;
+};
+
+/// Reads a whitespace- or comma-separated file. The names of the columns are the last line starting
+/// with '#' before the numbers, else the first line. Throws std::runtime_error naming file and
+/// line.
+Table read_table(const std::filesystem::path& file);
+
+/// Reads frame number `frame` (0 the first, -1 the last) of a LIGGGHTS text dump, with the columns
+/// that its ITEM: ATOMS or ITEM: ENTRIES line names. Throws std::runtime_error naming file and
+/// line.
+Table read_dump(const std::filesystem::path& file, int frame = -1);
+
+/// Order p of a method whose error falls from `error_coarse` to `error_fine` when its step is
+/// divided by `ratio`: error ~ step^p.
+double observed_order(double error_coarse, double error_fine, double ratio = 2);
+
+}  // namespace rodpack::test
+
+#endif
