@@ -35,6 +35,11 @@ inline double axial_length(const ChainShape& shape) {
 /// Number of primary spheres, 1 + ceil((AR-1)/(1-f)), so that neighbours overlap by f or more.
 int sphere_count(const ChainShape& shape);
 
+/// `count` points evenly spaced on the centreline from end centre to end centre (l_axial - d along
+/// it), count x 2, m, in order of increasing x. Origin: the middle of the centreline; x parallel to
+/// the chord between the ends; the arc bulges to +y, so that y <= 0. One point: the middle.
+std::vector<std::array<double, 2>> centreline_points(const ChainShape& shape, int count);
+
 /// Centres of the primary spheres, n x 2, body frame, m, in order of increasing x. The body x axis is
 /// parallel to the chord between the end centres and the arc bulges to +y. End centres are
 /// l_axial - d apart along the centreline, the others evenly between. The origin is the centre of
@@ -46,8 +51,16 @@ std::vector<std::array<double, 2>> sphere_centres(const ChainShape& shape,
 /// Area of the union of the discs, the particle's silhouette in the x-y plane, m^2; closed form.
 double covered_area(const ChainShape& shape);
 
+/// Moments of the union of the spheres as a solid; relative error below 1e-12.
+struct UnionMoments {
+  double volume;      // m^3
+  double centroid_y;  // above the middle of the centreline, m; the centroid's x and z are 0
+  double xx, yy, zz;  // integrals of x^2, y^2, z^2 about the centroid, m^5
+};
+UnionMoments union_moments(const ChainShape& shape);
+
 /// Volume of the union of the spheres, m^3; relative error below 1e-12.
-double union_volume(const ChainShape& shape);
+inline double union_volume(const ChainShape& shape) { return union_moments(shape).volume; }
 
 /// Radius of the smallest sphere about the centre of mass that contains the particle, m.
 double bounding_radius(const ChainShape& shape, MassRule rule = MassRule::reference);

@@ -89,8 +89,7 @@ inline void angular_velocity(const double (&q)[4], const double (&angular_moment
   rotate(q, body, false, omega);
 }
 
-/// Quaternion rate dq/dt = q (0, omega_body) / 2, 1/s; arguments as for angular_velocity. For a
-/// quaternion of length s it is s^3 times that of the unit quaternion, hence q must be normalised.
+/// Quaternion rate dq/dt = q (0, omega_body) / 2, 1/s; arguments as for angular_velocity.
 inline void quaternion_rate(const double (&q)[4], const double (&angular_momentum)[3],
                             const double (&inertia)[3], double (&rate)[4]) {
   double w[3];
