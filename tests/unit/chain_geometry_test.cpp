@@ -33,12 +33,14 @@ struct Case {
   ChainShape shape() const { return chain(aspect_ratio, overlap, degrees, drawn * d_p); }
 };
 
-// Straight and curved, gaps and many overlapping neighbours, ends of the arc meeting, and arcs whose
-// centre lies inside every disc (L < r theta), down to just inside.
-const Case cases[] = {{1, 0.5, 0, 1},      {5, 0, 0, 0.95},     {5, 0.5, 0, 1},
-                      {2.3, 0.5, 0, 1.05}, {3, 0.9, 0, 1},      {3, 0.5, 120, 1},
-                      {5, 0, 60, 0.95},    {3, 0.9, 180, 1.05}, {2, 0.5, 90, 1},
-                      {2, 0.5, 180, 1},    {2, 0.9, 150, 0.95}, {1.3, 0, 180, 1},
+// Straight and curved, gaps and many overlapping neighbours, ends of the arc meeting, and arcs
+// whose centre lies inside every disc (L < r theta), down to just inside.
+const Case cases[] = {{1, 0.5, 0, 1},      {5, 0, 0, 0.95},
+                      {5, 0.5, 0, 1},      {2.3, 0.5, 0, 1.05},
+                      {3, 0.9, 0, 1},      {3, 0.5, 120, 1},
+                      {5, 0, 60, 0.95},    {3, 0.9, 180, 1.05},
+                      {2, 0.5, 90, 1},     {2, 0.5, 180, 1},
+                      {2, 0.9, 150, 0.95}, {1.3, 0, 180, 1},
                       {2, 0.5, 115, 1},    {2, 0.5, 360 / pi + 1e-4, 1}};
 
 TEST(ChainGeometry, SphereCountsOfCoarseSmoothAndOverlappingChains) {
@@ -70,8 +72,8 @@ TEST(ChainGeometry, PublishedCoveredAreas) {
 }
 
 TEST(ChainGeometry, StraightChainsAreDiscsLessLenses) {
-  // Discs of radius r at distance s overlap in 2 r^2 acos(s/2r) - s/2 sqrt(4 r^2 - s^2). Up to f = 0.5
-  // a disc meets the lens of its neighbours only where these lenses touch, so areas simply add.
+  // Discs of radius r at distance s overlap in 2 r^2 acos(s/2r) - s/2 sqrt(4 r^2 - s^2). Up to f =
+  // 0.5 a disc meets the lens of its neighbours only where these lenses touch, so areas simply add.
   const double r = d_p / 2;
   for (double f : {0.0, 0.2, 0.5}) {
     const double s = (1 - f) * d_p;
@@ -83,8 +85,8 @@ TEST(ChainGeometry, StraightChainsAreDiscsLessLenses) {
 }
 
 TEST(ChainGeometry, BendingTo120DegreesTakesThePublishedShareOfTheArea) {
-  // "About 0.73, 0.22, 0.10 %" for AR = 3, 5, 7 in Lu et al. The exact figure for AR = 5 is 0.2144 %
-  // (the outline test below confirms both areas), hence one unit of the last printed digit.
+  // "About 0.73, 0.22, 0.10 %" for AR = 3, 5, 7 in Lu et al. The exact figure for AR = 5 is 0.2144
+  // % (the outline test below confirms both areas), hence one unit of the last printed digit.
   const double aspect_ratios[] = {3, 5, 7}, percent[] = {0.73, 0.22, 0.10};
   for (int i = 0; i < 3; ++i) {
     const double straight = covered_area(chain(aspect_ratios[i], 0.5));
@@ -95,8 +97,7 @@ TEST(ChainGeometry, BendingTo120DegreesTakesThePublishedShareOfTheArea) {
 
 TEST(ChainGeometry, CoveredAreaEqualsGreensTheoremOnTheOutline) {
   for (const Case& c : cases) {
-    const auto expected =
-        test::disc_union(sphere_centres(c.shape()), c.shape().diameter / 2);
+    const auto expected = test::disc_union(sphere_centres(c.shape()), c.shape().diameter / 2);
     expect_relative(covered_area(c.shape()), expected.one, 1e-12, c.name());
   }
 }
@@ -107,8 +108,8 @@ TEST(ChainGeometry, StraightUnionVolumeIsTwoHalfBallsAndSlabs) {
   for (double f : {0.0, 0.5, 0.9}) {
     const ChainShape shape = chain(5, f);
     const double h = (1 - f) * d_p / 2;
-    const double expected = 4.0 / 3 * pi * r * r * r +
-                            2 * (sphere_count(shape) - 1) * pi * (r * r * h - h * h * h / 3);
+    const double expected =
+        4.0 / 3 * pi * r * r * r + 2 * (sphere_count(shape) - 1) * pi * (r * r * h - h * h * h / 3);
     expect_relative(union_volume(shape), expected, 1e-12, "f " + std::to_string(f));
   }
 }
@@ -121,8 +122,8 @@ TEST(ChainGeometry, UnionVolumeOfAFatArcMatchesItsClosedForm) {
   const auto wedge = [](double r, double R, double phi) {
     const double s = R * std::sin(phi), c = R * std::cos(phi), e = std::sqrt(r * r - R * R);
     const double F = r * r * s - s * s * s / 3;
-    return pi * F / 2 + F * std::atan(c / e) +
-           e * R * R * (phi / 2 + std::sin(2 * phi) / 4) + 2.0 / 3 * e * e * e * phi +
+    return pi * F / 2 + F * std::atan(c / e) + e * R * R * (phi / 2 + std::sin(2 * phi) / 4) +
+           2.0 / 3 * e * e * e * phi +
            e * (R * R / 3 * (phi / 2 - std::sin(2 * phi) / 4) - 2.0 / 3 * r * r * phi) +
            2.0 / 3 * r * r * r * std::atan2(e * std::sin(phi), r * std::cos(phi));
   };
@@ -175,8 +176,8 @@ TEST(ChainGeometry, CurvedCentresLieEvenlyOnAnArcThatBulgesUp) {
 }
 
 TEST(ChainGeometry, OriginIsTheCentreOfMassOfTheRule) {
-  // Reference: 5 spheres at -60, -30, 0, 30, 60 degrees, mean height R (1 + 2 cos 30 + 2 cos 60) / 5
-  // above the arc's centre.
+  // Reference: 5 spheres at -60, -30, 0, 30, 60 degrees, mean height R (1 + 2 cos 30 + 2 cos 60) /
+  // 5 above the arc's centre.
   const ChainShape shape = chain(5, 0.5, 120);
   const double R = 4 * d_p / (2 * pi / 3);
   const double height = R * (2 + std::sqrt(3.0)) / 5;

@@ -24,7 +24,8 @@ void tanh_sinh(double a, double b, F f) {
   const double pi = std::acos(-1.0), step = 1.0 / 12;
   for (int k = -40; k <= 40; ++k) {
     const double t = k * step, u = 0.5 * pi * std::sinh(t);
-    const double weight = 0.5 * (b - a) * step * 0.5 * pi * std::cosh(t) / std::pow(std::cosh(u), 2);
+    const double weight =
+        0.5 * (b - a) * step * 0.5 * pi * std::cosh(t) / std::pow(std::cosh(u), 2);
     f(0.5 * (a + b) + 0.5 * (b - a) * std::tanh(u), weight);
   }
 }

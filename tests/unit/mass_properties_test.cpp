@@ -21,8 +21,7 @@ void expect_inertia(const MassProperties& p, double x, double y, double z, doubl
 TEST(MassProperties, ReferenceMassIsThatOfTheSmoothStraightChain) {
   // 9 spheres r apart: two half balls and 16 slabs of thickness h = r/2.
   const double h = r / 2;
-  const double mass =
-      density * (4.0 / 3 * pi * r * r * r + 16 * pi * (r * r * h - h * h * h / 3));
+  const double mass = density * (4.0 / 3 * pi * r * r * r + 16 * pi * (r * r * h - h * h * h / 3));
   EXPECT_NEAR(mass, 2.2973e-4, 0.5e-8);  // shared measurement notes: exact 2.2973e-4 kg
   for (double f : {0.0, 0.5, 0.8})
     for (double theta : {0.0, 1.0, 2 * pi / 3}) {
@@ -75,14 +74,14 @@ TEST(MassProperties, OwnRuleOnTangentSpheresIsTheirParallelAxisSum) {
 }
 
 TEST(MassProperties, OwnRuleTendsToTheSpherocylinder) {
-  // Cylinder of length L = 4 d and two half balls of mass m, whose flat faces lie L/2 from the middle
-  // and whose centroids 3r/8 further: about a face 2/5 m r^2, about the middle of the rod
-  // m (2/5 r^2 + 2 (L/2) (3r/8) + L^2/4).
+  // Cylinder of length L = 4 d and two half balls of mass m, whose flat faces lie L/2 from the
+  // middle and whose centroids 3r/8 further: about a face 2/5 m r^2, about the middle of the rod m
+  // (2/5 r^2 + 2 (L/2) (3r/8) + L^2/4).
   const double L = 4 * d_p;
   const double cylinder = density * pi * r * r * L, caps = density * 4.0 / 3 * pi * r * r * r;
   const double axial = cylinder * r * r / 2 + caps * 0.4 * r * r;
-  const double across = cylinder * (r * r / 4 + L * L / 12) +
-                        caps * (0.4 * r * r + L * L / 4 + 3.0 / 8 * L * r);
+  const double across =
+      cylinder * (r * r / 4 + L * L / 12) + caps * (0.4 * r * r + L * L / 4 + 3.0 / 8 * L * r);
   const auto p = mass_properties({5, d_p, 0.999, 0, d_p}, density, MassRule::own, false);
   // The ridge between neighbours is s^2/8r high for a spacing s = 0.001 d: below 1e-6 of r.
   EXPECT_NEAR(p.mass, cylinder + caps, 1e-6 * p.mass);
@@ -103,8 +102,7 @@ TEST(MassProperties, DrawnSizeCountsOnlyWhenFollowed) {
   const ChainShape straight{5, d_p, 0.0, 0, 1.05 * d_p};
   const auto p = mass_properties(straight, density, MassRule::reference, true);
   const double R = 1.05 * r, h = 3.95 * d_p / 16;
-  const double mass =
-      density * (4.0 / 3 * pi * R * R * R + 16 * pi * (R * R * h - h * h * h / 3));
+  const double mass = density * (4.0 / 3 * pi * R * R * R + 16 * pi * (R * R * h - h * h * h / 3));
   EXPECT_NEAR(p.mass, mass, 1e-12 * mass);
   const double own = 0.4 * mass * R * R;
   const double across = mass / 5 * 10 * std::pow(3.95 / 4 * d_p, 2);

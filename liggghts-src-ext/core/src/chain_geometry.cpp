@@ -49,12 +49,11 @@ void validate(const ChainShape& shape) {
           shape.aspect_ratio, "1 to 1e4");
   require(shape.nominal_diameter > 0.0 && std::isfinite(shape.nominal_diameter),
           "nominal primary diameter", shape.nominal_diameter, "a positive length");
-  require(shape.overlap >= 0.0 && shape.overlap <= 0.9999, "overlap", shape.overlap,
-          "0 to 0.9999");
+  require(shape.overlap >= 0.0 && shape.overlap <= 0.9999, "overlap", shape.overlap, "0 to 0.9999");
   require(shape.curvature_angle >= 0.0 && shape.curvature_angle <= pi * (1.0 + 1e-12),
           "curvature angle", shape.curvature_angle, "0 to pi rad");
-  require(shape.diameter > 0.0 && std::isfinite(shape.diameter), "primary diameter",
-          shape.diameter, "a positive length");
+  require(shape.diameter > 0.0 && std::isfinite(shape.diameter), "primary diameter", shape.diameter,
+          "a positive length");
   if (chain_count(shape.aspect_ratio, shape.overlap) > 1)
     require(shape.diameter < axial_length(shape), "primary diameter", shape.diameter,
             "less than the axial length");
@@ -71,7 +70,8 @@ std::vector<std::array<double, 2>> centreline_points(const ChainShape& shape, in
   const double theta = shape.curvature_angle;
   std::vector<std::array<double, 2>> points(count, {{0.0, 0.0}});
   for (int i = 0; i < count && count > 1; ++i) {
-    const double fraction = (2 * i - (count - 1)) / (2.0 * (count - 1));  // -1/2 .. 1/2, exact mirror
+    const double fraction =
+        (2 * i - (count - 1)) / (2.0 * (count - 1));  // -1/2 .. 1/2, exact mirror
     if (theta < straight_angle) {
       points[i][0] = fraction * length;
     } else {

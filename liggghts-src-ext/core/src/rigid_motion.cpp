@@ -3,8 +3,8 @@
 
 namespace rodpack {
 
-void fill_kinematic_history(SpatialRates* history, int order, double dt,
-                            const SpatialMotion& birth, const double (&inertia)[3]) {
+void fill_kinematic_history(SpatialRates* history, int order, double dt, const SpatialMotion& birth,
+                            const double (&inertia)[3]) {
   const SpatialRates& rates = history[order - 1];
   double q[4] = {birth.quaternion[0], birth.quaternion[1], birth.quaternion[2],
                  birth.quaternion[3]};
@@ -29,7 +29,8 @@ void fill_kinematic_history(SpatialRates* history, int order, double dt,
 
     SpatialRates& past = history[order - 1 - k];
     past = SpatialRates{};
-    for (int d = 0; d < 3; ++d) past.velocity[d] = rates.velocity[d] - k * dt * rates.acceleration[d];
+    for (int d = 0; d < 3; ++d)
+      past.velocity[d] = rates.velocity[d] - k * dt * rates.acceleration[d];
     rate_at(-k, q, past.quaternion_rate);
   }
 }

@@ -39,7 +39,8 @@ Integrals balls_less_caps(const std::vector<std::array<double, 2>>& centres, dou
     const double r2 = r * r, h2 = h * h;
     const double volume = pi / 3.0 * (r - h) * (r - h) * (2.0 * r + h);
     const double first = pi / 4.0 * (r2 - h2) * (r2 - h2);
-    const double along = pi * ((r2 * r2 * r - r2 * h2 * h) / 3.0 - (r2 * r2 * r - h2 * h2 * h) / 5.0);
+    const double along =
+        pi * ((r2 * r2 * r - r2 * h2 * h) / 3.0 - (r2 * r2 * r - h2 * h2 * h) / 5.0);
     const double across = 0.25 * pi *
                           (r2 * r2 * (r - h) - 2.0 / 3.0 * r2 * (r2 * r - h2 * h) +
                            (r2 * r2 * r - h2 * h2 * h) / 5.0);
@@ -64,7 +65,8 @@ struct Section {
   Section(double r, double R, double phi) {
     const double c = R * std::cos(phi), s = R * std::sin(phi);
     const double a2 = (r - s) * (r + s);
-    const double e = std::sqrt((r - R) * (r + R)), e3 = e * e * e;  // half the section's length at O
+    const double e = std::sqrt((r - R) * (r + R)),
+                 e3 = e * e * e;  // half the section's length at O
     // Integrals over the disc's part rho > 0 of u^k, u = rho - c, k = 0..3.
     const double b0 = 0.5 * pi * a2 + c * e + a2 * std::atan2(c, e);
     const double b1 = 2.0 / 3.0 * e3;
@@ -129,9 +131,8 @@ UnionMoments union_moments(const ChainShape& shape) {
   const double length = axial_length(shape) - shape.diameter;
   const bool contain_arc_centre = gaps > 0 && length < r * theta;
   const double R = contain_arc_centre ? length / theta : 0.0;
-  const Integrals sum = contain_arc_centre
-                            ? wedges_about_arc_centre(r, R, theta, gaps)
-                            : balls_less_caps(centreline_points(shape, gaps + 1), r);
+  const Integrals sum = contain_arc_centre ? wedges_about_arc_centre(r, R, theta, gaps)
+                                           : balls_less_caps(centreline_points(shape, gaps + 1), r);
   UnionMoments moments;
   const double y = sum.y / sum.volume;
   moments.volume = sum.volume;

@@ -7,8 +7,8 @@
 
 namespace rodpack {
 
-/// A straight or curved spherocylinder: equal primary spheres, evenly spaced on a line or a circular
-/// arc in the body x-y plane (Lu et al., Granular Matter 18:34, 2016). Lengths in m.
+/// A straight or curved spherocylinder: equal primary spheres, evenly spaced on a line or a
+/// circular arc in the body x-y plane (Lu et al., Granular Matter 18:34, 2016). Lengths in m.
 struct ChainShape {
   double aspect_ratio;         // AR = l_axial / d_p, at least 1 (1: a single sphere)
   double nominal_diameter;     // d_p; with AR it fixes l_axial, whatever diameter was drawn
@@ -40,8 +40,8 @@ int sphere_count(const ChainShape& shape);
 /// the chord between the ends; the arc bulges to +y, so that y <= 0. One point: the middle.
 std::vector<std::array<double, 2>> centreline_points(const ChainShape& shape, int count);
 
-/// Centres of the primary spheres, n x 2, body frame, m, in order of increasing x. The body x axis is
-/// parallel to the chord between the end centres and the arc bulges to +y. End centres are
+/// Centres of the primary spheres, n x 2, body frame, m, in order of increasing x. The body x axis
+/// is parallel to the chord between the end centres and the arc bulges to +y. End centres are
 /// l_axial - d apart along the centreline, the others evenly between. The origin is the centre of
 /// mass under `rule`: for `reference` that of 1 + ceil(AR-1) equal spheres evenly spaced on this
 /// centreline, for `own` that of the union solid. The two differ for curved chains only.

@@ -20,8 +20,8 @@ struct NormalForce {
   double elastic;  // spring part alone, which the Coulomb cap uses, N
 };
 
-/// Normal force max(0, k delta - c v): `stiffness` k in N/m, `damping` c in kg/s, `overlap` delta in
-/// m (positive in contact), `separation_velocity` v in m/s (positive when separating).
+/// Normal force max(0, k delta - c v): `stiffness` k in N/m, `damping` c in kg/s, `overlap` delta
+/// in m (positive in contact), `separation_velocity` v in m/s (positive when separating).
 inline NormalForce normal_force(double stiffness, double damping, double overlap,
                                 double separation_velocity) {
   const double elastic = stiffness * overlap;
@@ -51,10 +51,11 @@ inline bool tangential_force(double stiffness, double damping, double cap, doubl
   return true;
 }
 
-/// Coefficient of restitution of a head-on collision under `normal_force`, which ends when the force
-/// has fallen to zero: e = exp(-2 eta acos(eta) / sqrt(1 - eta^2)), continued to eta >= 1 (Schwager
-/// and Poeschel, Granular Matter 9, 465, 2007). It exceeds exp(-pi eta / sqrt(1 - eta^2)), the value
-/// of a contact that may pull. @throws std::invalid_argument for a negative damping ratio.
+/// Coefficient of restitution of a head-on collision under `normal_force`, which ends when the
+/// force has fallen to zero: e = exp(-2 eta acos(eta) / sqrt(1 - eta^2)), continued to eta >= 1
+/// (Schwager and Poeschel, Granular Matter 9, 465, 2007). It exceeds exp(-pi eta / sqrt(1 -
+/// eta^2)), the value of a contact that may pull. @throws std::invalid_argument for a negative
+/// damping ratio.
 double restitution_coefficient(double damping_ratio);
 
 }  // namespace rodpack

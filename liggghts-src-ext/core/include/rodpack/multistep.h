@@ -12,8 +12,9 @@ using MultistepWeights = std::array<double, max_multistep_order>;
 
 /// Weights w[k] of f_{n-k} in y_{n+1} = y_n + dt sum_k w[k] f_{n-k}; unused ones are 0.
 ///
-/// `order` is 1..4. `evaluations` counts the values of f since the start, the newest included, so it
-/// is n+1 on the step from n to n+1. Arguments are not checked: this sits in the integration loop.
+/// `order` is 1..4. `evaluations` counts the values of f since the start, the newest included, so
+/// it is n+1 on the step from n to n+1. Arguments are not checked: this sits in the integration
+/// loop.
 ///
 /// Beyond `order` evaluations these are the Adams-Bashforth weights. Up to there the order rises
 /// with the number of known values, and each step also repairs what the lower orders before it

@@ -9,12 +9,13 @@
 namespace rodpack {
 
 // One Adams-Bashforth step of a rigid body. The caller keeps the history: `order` records, oldest
-// first and newest last, all `dt` apart. Quaternions are (w, x, y, z) and turn body into space frame.
+// first and newest last, all `dt` apart. Quaternions are (w, x, y, z) and turn body into space
+// frame.
 //
 // At birth (the first step of a body) the caller stores the newest record and calls
-// fill_kinematic_history. Velocities then always enter with full-order Adams-Bashforth weights, while
-// forces, unknown before birth, enter with the start-up weights of their own count `evaluations`
-// (newest included, 1 at birth).
+// fill_kinematic_history. Velocities then always enter with full-order Adams-Bashforth weights,
+// while forces, unknown before birth, enter with the start-up weights of their own count
+// `evaluations` (newest included, 1 at birth).
 //
 // A body born in free motion shows its full order 1-4 from birth. Where the force depends on the
 // position and changes at once, order 4 falls to 3: the first velocity is off by O(dt^2) until the
@@ -79,8 +80,8 @@ inline void rotate(const double (&q)[4], const double (&vector)[3], bool inverse
   result[2] = vector[2] + w * t[2] + q[1] * t[1] - q[2] * t[0];
 }
 
-/// Angular velocity in the space frame, rad/s, from the angular momentum (space frame, kg m^2/s) and
-/// the principal moments of inertia (kg m^2, all positive).
+/// Angular velocity in the space frame, rad/s, from the angular momentum (space frame, kg m^2/s)
+/// and the principal moments of inertia (kg m^2, all positive).
 inline void angular_velocity(const double (&q)[4], const double (&angular_momentum)[3],
                              const double (&inertia)[3], double (&omega)[3]) {
   double body[3];
@@ -116,8 +117,8 @@ inline void fill_kinematic_history(PlanarRates* history, int order, double dt) {
 
 /// The same in three dimensions; the orientation is carried back from `birth` by Runge-Kutta steps
 /// of fourth order. `inertia`: principal moments, kg m^2.
-void fill_kinematic_history(SpatialRates* history, int order, double dt,
-                            const SpatialMotion& birth, const double (&inertia)[3]);
+void fill_kinematic_history(SpatialRates* history, int order, double dt, const SpatialMotion& birth,
+                            const double (&inertia)[3]);
 
 /// Advances the body by one step. The orientation turns exactly by the increment of the angle.
 inline void advance(PlanarMotion& motion, const PlanarRates* history, int order, int evaluations,
@@ -126,10 +127,10 @@ inline void advance(PlanarMotion& motion, const PlanarRates* history, int order,
   const MultistepWeights& of_velocity = adams_bashforth_weights(order);
   const MultistepWeights& of_force = multistep_weights(order, evaluations);
   for (int d = 0; d < 2; ++d) {
-    motion.position[d] += multistep_increment(
-        of_velocity, order, dt, [=](int k) { return newest[-k].velocity[d]; });
-    motion.velocity[d] += multistep_increment(
-        of_force, order, dt, [=](int k) { return newest[-k].acceleration[d]; });
+    motion.position[d] +=
+        multistep_increment(of_velocity, order, dt, [=](int k) { return newest[-k].velocity[d]; });
+    motion.velocity[d] +=
+        multistep_increment(of_force, order, dt, [=](int k) { return newest[-k].acceleration[d]; });
   }
   rotate_about_z(multistep_increment(of_velocity, order, dt,
                                      [=](int k) { return newest[-k].angular_velocity; }),
@@ -145,12 +146,12 @@ inline void advance(SpatialMotion& motion, const SpatialRates* history, int orde
   const MultistepWeights& of_velocity = adams_bashforth_weights(order);
   const MultistepWeights& of_force = multistep_weights(order, evaluations);
   for (int d = 0; d < 3; ++d) {
-    motion.position[d] += multistep_increment(
-        of_velocity, order, dt, [=](int k) { return newest[-k].velocity[d]; });
-    motion.velocity[d] += multistep_increment(
-        of_force, order, dt, [=](int k) { return newest[-k].acceleration[d]; });
-    motion.angular_momentum[d] += multistep_increment(
-        of_force, order, dt, [=](int k) { return newest[-k].torque[d]; });
+    motion.position[d] +=
+        multistep_increment(of_velocity, order, dt, [=](int k) { return newest[-k].velocity[d]; });
+    motion.velocity[d] +=
+        multistep_increment(of_force, order, dt, [=](int k) { return newest[-k].acceleration[d]; });
+    motion.angular_momentum[d] +=
+        multistep_increment(of_force, order, dt, [=](int k) { return newest[-k].torque[d]; });
   }
   for (int d = 0; d < 4; ++d)
     motion.quaternion[d] += multistep_increment(
