@@ -1,0 +1,53 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-2.0-or-later
+# From a fresh clone to a packing: sets the machine up, builds, runs the deposition, analyses it.
+#
+#   inputs/run.sh PRESET [-var NAME VALUE ...]
+#
+# PRESET    quick (some hundred particles, two minutes), paper, or another one of the deck
+# -var …    handed to the deck, see inputs/README.md
+# OUT=…     run folder, default results/PRESET;   RANKS=n  MPI ranks, default 1
+# A run folder that is complete is not run again; one of an interrupted run is moved aside.
+set -eu
+cd "$(dirname "$0")/.."
+
+case "${1:-}" in
+  '' | -*)
+    sed -n '3,/^set/s/^# \{0,1\}//p' inputs/run.sh >&2
+    exit 2
+    ;;
+esac
+preset=$1
+shift
+out=${OUT:-results/$preset}
+ranks=${RANKS:-1}
+
+docker/build.sh
+
+if [ -e "$out/run.done" ]; then
+  echo "$out is complete: not run again (delete it, or choose another with OUT=…)"
+else
+  if [ -e "$out" ] && [ ! -e "$out/parameters.json" ]; then
+    echo "inputs/run.sh: $out exists and is not a run folder: choose another with OUT=…" >&2
+    exit 1
+  fi
+  if [ -e "$out" ]; then
+    aside=$out.interrupted.$(date +%Y%m%d-%H%M%S)
+    echo "$out is from an interrupted run: moved to $aside"
+    mv "$out" "$aside"
+  fi
+  mkdir -p "$(dirname "$out")"
+  launcher=
+  if [ "$ranks" -gt 1 ]; then
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    launcher="mpiexec --oversubscribe -np $ranks"
+  fi
+  # LIGGGHTS prints an error just before it aborts: without line buffering it would be lost.
+  $launcher stdbuf -oL build/bin/liggghts -in inputs/deposition/in.deposition \
+    -var preset "$preset" -var out "$out" "$@"
+  touch "$out/run.done"
+fi
+
+build/bin/rodpack analyse "$out"
+echo "Figures:"
+find "$out/analysis" \( -name '*.png' -o -name '*.svg' \) | sort

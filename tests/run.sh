@@ -1,0 +1,13 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Sets the machine up, builds, runs all tests. Arguments go to ctest: tests/run.sh -L unit
+set -eu
+cd "$(dirname "$0")/.."
+
+docker/build.sh
+if ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "$@"; then
+  echo "tests/run.sh: all tests passed"
+else
+  echo "tests/run.sh: tests FAILED (listed above)" >&2
+  exit 1
+fi
