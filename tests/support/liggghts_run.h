@@ -10,7 +10,8 @@
 
 namespace rodpack::test {
 
-/// A finished run of a program.
+/// A finished run of a program. Inside a TEST write `const auto run = …`: there, Run is a private
+/// function of testing::Test.
 struct Run {
   int exit_code;
   std::string output;            // standard output and error, then log.liggghts if there is one

@@ -46,7 +46,7 @@ TEST(TestSupport, ReadsTheWantedFrameOfADump) {
 }
 
 TEST(TestSupport, ReportsExitCodeAndOutputOfACommand) {
-  const Run run = run_command("echo heard; exit 3");
+  const auto run = run_command("echo heard; exit 3");
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(run.output, "heard\n");
 }
