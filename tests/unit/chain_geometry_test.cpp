@@ -77,7 +77,8 @@ TEST(ChainGeometry, StraightChainsAreDiscsLessLenses) {
   const double r = d_p / 2;
   for (double f : {0.0, 0.2, 0.5}) {
     const double s = (1 - f) * d_p;
-    const double lens = 2 * r * r * std::acos(s / (2 * r)) - s / 2 * std::sqrt(4 * r * r - s * s);
+    const double lens =
+        2 * r * r * std::acos(s / (2 * r)) - s / 2 * std::sqrt((2 * r - s) * (2 * r + s));
     const int n = sphere_count(chain(5, f));
     EXPECT_EQ(n, 1 + std::lround(4 / (1 - f)));
     expect_relative(covered_area(chain(5, f)), n * pi * r * r - (n - 1) * lens, 1e-12, "area");

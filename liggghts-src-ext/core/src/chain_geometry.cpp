@@ -37,7 +37,7 @@ double mean_y(const std::vector<std::array<double, 2>>& points) {
 // ray from O at `angle` to it; O lies inside the disc at distance R < r from C.
 double area_of_wedge(double r, double R, double angle) {
   const double u = R * std::sin(angle);
-  return 0.5 * (u * R * std::cos(angle) + r * r * angle + u * std::sqrt(r * r - u * u) +
+  return 0.5 * (u * R * std::cos(angle) + r * r * angle + u * std::sqrt((r - u) * (r + u)) +
                 r * r * std::asin(u / r));
 }
 
