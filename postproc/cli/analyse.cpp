@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/analyse.h"
+
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+
+namespace rodpack::cli {
+
+void add_analyse(CLI::App& app) {
+  struct Options {
+    std::string folder;
+    bool all_frames = false;
+  };
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "analyse",
+      "Everything at once for the last frame of a run: orientation, RDF, solid fraction, energies, "
+      "picture and VTK files, into RUN_FOLDER/analysis with a summary.json.");
+  command->footer(
+      "Example:\n"
+      "  rodpack analyse results/quick\n"
+      "reads parameters.json, dumps/ and energies.csv there; writes results/quick/analysis/.");
+  command->add_option("run_folder", options->folder, "folder that a simulation wrote")
+      ->required()
+      ->type_name("RUN_FOLDER");
+  command->add_flag("--all-frames", options->all_frames,
+                    "export every frame to VTK, not only the last");
+  command->callback([options] {
+    const auto summary = analyse_run(options->folder, options->all_frames);
+    for (const auto& [key, value] : summary.items())
+      if (value.is_number()) std::cout << key << ": " << value << '\n';
+    for (const auto& note : summary["notes"])
+      std::cout << "note: " << note.get<std::string>() << '\n';
+    std::cout << "written: " << options->folder << "/analysis\n";
+  });
+}
+
+}  // namespace rodpack::cli

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "rodpack/vtk_export.h"
+
+namespace rodpack::cli {
+
+void add_export(CLI::App& app) {
+  struct Options {
+    std::vector<std::string> patterns;
+    std::string folder = "vtk";
+    double timestep = 0;
+  };
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "export",
+      "VTK files (.vtp) of every frame of dumps of bodies, spheres and contacts, told apart by their "
+      "columns, and one time index (.pvd) per kind.");
+  command->footer(
+      "Example:\n"
+      "  rodpack export 'results/quick/dumps/*.dump' -o vtk\n"
+      "then open vtk/spheres.pvd in ParaView and glyph with spheres scaled by 2 radius_m;\n"
+      "vtk/contacts.pvd holds a line per contact (tube filter, colour by contact_force_N).\n"
+      "Units stand in the names of the arrays; positions are in m, times in s.");
+  command
+      ->add_option("dumps", options->patterns,
+                   "dump files, plain or .gz; quoted wildcards are fine")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--timestep", options->timestep,
+                   "length of a timestep, s [default: parameters.json beside the dump or one folder "
+                   "up; unknown: the index counts timesteps]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  command->add_option("-o,--output", options->folder, "folder to write to")
+      ->capture_default_str()
+      ->type_name("FOLDER");
+
+  command->callback([options] {
+    const auto files = find_dumps(options->patterns);
+    double timestep = options->timestep;
+    const auto parameters = find_parameters(files.front(), "");
+    if (timestep == 0 && parameters && parameters->values.contains("timestep_s"))
+      timestep = parameters->number("timestep_s");
+    const auto written = export_vtk(files, options->folder, timestep);
+    std::cout << "written: " << written.size() << " files in " << options->folder << '\n';
+  });
+}
+
+}  // namespace rodpack::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <iostream>
+
+#include "commands.h"
+
+int main(int argc, char** argv) {
+  using namespace rodpack;
+  constexpr int bad_data = 1;
+  constexpr int bad_usage = 2;
+
+  CLI::App app("Analyses packings of spherocylinders that LIGGGHTS with rodpack's styles wrote.");
+  app.name("rodpack");
+  app.require_subcommand(1);
+  app.footer(
+      "Start with a whole run:\n"
+      "  rodpack analyse results/quick\n"
+      "Every subcommand explains itself:  rodpack rdf --help\n"
+      "Exit codes: 0 done, 1 data that cannot be used, 2 wrong command line.");
+  cli::add_analyse(app);
+  cli::add_orientation(app);
+  cli::add_rdf(app);
+  cli::add_render(app);
+  cli::add_export(app);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : bad_usage;
+  } catch (const std::exception& error) {
+    std::cerr << "rodpack: " << error.what() << '\n';
+    return bad_data;
+  }
+  return 0;
+}

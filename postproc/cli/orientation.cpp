@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/orientation.h"
+
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "rodpack/text.h"
+
+namespace rodpack::cli {
+
+void add_orientation(CLI::App& app) {
+  struct Options {
+    Input input;
+    std::string stem = "orientation";
+    int bins = 36;
+  };
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "orientation",
+      "Distribution of the angle gamma between a particle's long axis and the horizontal: [0, 180) "
+      "degrees for straight particles, [0, 360) for curved ones (0 = the arc bulges up), with the "
+      "nematic order parameter S2 and its director. Particles closer than AR d_p to a side wall or "
+      "the floor are left out, spheres too.");
+  command->footer(
+      "Example:\n"
+      "  rodpack orientation 'results/quick/dumps/bodies.*.dump' -o gamma\n"
+      "writes gamma.csv, gamma.png/.svg (histogram) and gamma_polar.png/.svg (rose).");
+  add_files(*command, options->input, "bodies");
+  add_all_frames(*command, options->input);
+  add_packing_options(*command, options->input);
+  command->add_option("--bins", options->bins, "number of bins over the whole range")
+      ->check(CLI::Range(2, 3600))
+      ->capture_default_str()
+      ->type_name("N");
+  add_output(*command, options->stem);
+
+  command->callback([options] {
+    OrientationSample sample;
+    std::string setting;
+    options->input.for_frames([&](const Frame& frame) {
+      const auto packing = read_packing(frame, options->input.packing);
+      sample.add(packing);
+      setting = describe(packing);
+    });
+    const auto distribution = sample.distribution(options->bins);
+    const auto& stem = options->stem;
+    write_orientation_table(distribution, stem + ".csv");
+    plot_orientation_linear(distribution, stem);
+    plot_orientation_polar(distribution, stem + "_polar");
+    std::cout << setting << '\n'
+              << distribution.particles << " particles; left out: " << distribution.near_walls
+              << " closer than AR d_p to a wall, " << distribution.spheres << " spheres\n"
+              << "S2 = " << number_text(distribution.nematic.order, 4) << " +- "
+              << number_text(distribution.nematic.standard_error, 2) << ", director "
+              << number_text(distribution.nematic.director, 4) << " deg\n"
+              << "written: " << stem << ".csv .png .svg, " << stem << "_polar.png .svg\n";
+  });
+}
+
+}  // namespace rodpack::cli

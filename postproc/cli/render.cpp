@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/render.h"
+
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "commands.h"
+
+namespace rodpack::cli {
+
+void add_render(CLI::App& app) {
+  struct Options {
+    Input input;
+    RenderOptions render;
+    std::vector<double> window;
+    double largest = 0;
+    bool in_diameters = false;
+    std::string stem = "packing";
+  };
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "render",
+      "Picture of a packing: every primary sphere at its true size and place, shaded by the contact "
+      "force on it, with walls, colour bar and scale bar.");
+  command->footer(
+      "Examples:\n"
+      "  rodpack render 'results/quick/dumps/spheres.*.dump'\n"
+      "  rodpack render spheres.9000.dump --window 0 40 0 30 --in-dp --colour fsum -o corner\n"
+      "write packing.png/.svg and corner.png/.svg.");
+  add_files(*command, options->input, "spheres");
+  const std::map<std::string, SphereColour> colours{{"force", SphereColour::force},
+                                                    {"fsum", SphereColour::fsum},
+                                                    {"orientation", SphereColour::orientation},
+                                                    {"none", SphereColour::none}};
+  command
+      ->add_option("--colour,--color", options->render.colour,
+                   "force: magnitude of the net contact force on the sphere; fsum: sum of the "
+                   "magnitudes of its contact forces; orientation: of the particle's long axis; none")
+      ->transform(CLI::CheckedTransformer(colours, CLI::ignore_case))
+      ->type_name("NAME")
+      ->default_str("force");
+  command
+      ->add_option("--window", options->window,
+                   "part of the box to draw, m [default: the bed between the walls]")
+      ->expected(4)
+      ->type_name("XLO XHI YLO YHI");
+  command->add_flag("--in-dp", options->in_diameters,
+                    "--window counts in sphere diameters d_p, not m");
+  auto* largest = command
+                      ->add_option("--max", options->largest,
+                                   "top of the colour scale, N [default: 99 % of the spheres are "
+                                   "below]")
+                      ->check(CLI::PositiveNumber)
+                      ->type_name("N");
+  command
+      ->add_option("--pixels", options->render.pixels,
+                   "longer side of the drawn window [default: 8 per d_p, 1200 to 4000]")
+      ->check(CLI::Range(100, 20000))
+      ->type_name("N");
+  add_packing_options(*command, options->input);
+  add_output(*command, options->stem);
+
+  command->callback([options, largest] {
+    auto& render = options->render;
+    render.packing = options->input.packing;
+    if (*largest) render.largest = options->largest;
+    auto& window = options->window;
+    if (!window.empty() && !(window[1] > window[0] && window[3] > window[2]))
+      throw CLI::ValidationError("--window", "expected XLO < XHI and YLO < YHI");
+    options->input.for_frames([&](const Frame& frame) {
+      if (!window.empty()) {
+        const double unit = options->in_diameters ? sphere_diameter(frame, render.packing) : 1;
+        render.window = {window[0] * unit, window[1] * unit, window[2] * unit, window[3] * unit};
+      }
+      render_spheres(frame, render, options->stem);
+    });
+    std::cout << "written: " << options->stem << ".png .svg\n";
+  });
+}
+
+}  // namespace rodpack::cli

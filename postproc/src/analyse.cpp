@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/analyse.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "rodpack/figure.h"
+#include "rodpack/orientation.h"
+#include "rodpack/rdf.h"
+#include "rodpack/render.h"
+#include "rodpack/solid_fraction.h"
+#include "rodpack/text.h"
+#include "rodpack/vtk_export.h"
+
+namespace rodpack {
+namespace {
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> dumps_of(const fs::path& run, const std::string& kind) {
+  return find_dumps({(run / "dumps" / (kind + ".*.dump*")).string()});
+}
+
+void analyse_orientation(const Packing& packing, const fs::path& out, Json& summary) {
+  OrientationSample sample;
+  sample.add(packing);
+  const auto distribution = sample.distribution(36);
+  write_orientation_table(distribution, (out / "orientation.csv").string());
+  plot_orientation_linear(distribution, (out / "orientation").string());
+  plot_orientation_polar(distribution, (out / "orientation_polar").string());
+  summary["orientation_particles"] = distribution.particles;
+  summary["orientation_left_out_closer_than_AR_dp_to_walls"] = distribution.near_walls;
+  summary["nematic_order_S2"] = distribution.nematic.order;
+  summary["nematic_order_S2_standard_error"] = distribution.nematic.standard_error;
+  summary["director_deg"] = distribution.nematic.director;
+}
+
+void analyse_rdf(const Packing& packing, const fs::path& out, Json& summary) {
+  RdfSample sample({});
+  sample.add(packing);
+  const auto rdf = sample.result();
+  write_rdf_table(rdf, (out / "rdf.csv").string());
+  plot_rdf(rdf, (out / "rdf").string());
+  summary["rdf_centres"] = rdf.centres;
+  summary["rdf_margin_over_dp"] = rdf.margin;
+  summary["rdf_tail_mean"] = rdf.tail_g;
+  summary["rdf_tail_standard_error"] = rdf.tail_standard_error;
+  if (rdf.margin_reduced)
+    summary["notes"].push_back("RDF: the bed is too small for centres (10 + AR) d_p away from walls "
+                               "and surface; a margin of " +
+                               number_text(rdf.margin, 3) + " d_p was used");
+}
+
+void analyse_solid_fraction(const Packing& packing, const fs::path& out, Json& summary) {
+  const auto field = solid_fraction(packing);
+  const double d = packing.particle_diameter;
+  write_solid_fraction_table(field, d, (out / "solid_fraction.csv").string());
+  plot_solid_fraction(field, d, packing.walls.floor, (out / "solid_fraction").string());
+  summary["omega_m"] = field.scale;
+  const auto mean = [&](const std::string& key, const std::optional<double>& value) {
+    if (value)
+      summary[key] = *value;
+    else
+      summary[key] = nullptr;
+  };
+  mean("solid_fraction_from_3_omega_above_floor_to_surface", field.up_to_surface);
+  mean("solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
+       field.up_to_3_scales_below);
+  if (!field.up_to_3_scales_below)
+    summary["notes"].push_back("solid fraction: the bed, " +
+                               number_text((packing.surface - packing.walls.floor) / d, 3) +
+                               " d_p high, is lower than the averaging heights ask for (omega = " +
+                               number_text(field.scale / d, 3) + " d_p)");
+  if (!field.side_distance_kept)
+    summary["notes"].push_back(
+        "solid fraction: the side walls are closer than 3 omega to the central slice");
+}
+
+void analyse_energies(const fs::path& run, const fs::path& out, Json& summary) {
+  const auto file = (run / "energies.csv").string();
+  if (!fs::exists(file)) {
+    summary["notes"].push_back("energies: no energies.csv in the run folder");
+    return;
+  }
+  const CsvTable table(file);
+  const auto last = [&](const char* name) {
+    const auto& column = table.column(name);
+    if (column.empty()) throw DataError(file + ": no rows below the header");
+    return column.back();
+  };
+  const double kinetic = last("kinetic_translational_J") + last("kinetic_rotational_J");
+  const double elastic = last("elastic_normal_J") + last("elastic_tangential_J");
+  summary["kinetic_energy_J"] = kinetic;
+  summary["elastic_energy_J"] = elastic;
+  plot_energies(file, (out / "energies").string());
+}
+
+}  // namespace
+
+void plot_energies(const std::string& energies_csv, const std::string& stem) {
+  const CsvTable table(energies_csv);
+  const auto sum = [&](const char* first, const char* second) {
+    auto values = table.column(first);
+    const auto& other = table.column(second);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += other[i];
+    return values;
+  };
+  const auto kinetic = sum("kinetic_translational_J", "kinetic_rotational_J");
+  const auto elastic = sum("elastic_normal_J", "elastic_tangential_J");
+  bool drawable = false;  // a logarithmic axis shows positive values only
+  for (std::size_t i = 0; i < kinetic.size(); ++i)
+    drawable = drawable || kinetic[i] > 0 || elastic[i] > 0;
+  if (!drawable) throw DataError(energies_csv + ": no positive energy to draw");
+  draw_figure(stem, 1.4,
+              datablock("energies", {table.column("time_s"), kinetic, elastic}) +
+                  "set xlabel 'time (s)'\nset ylabel 'energy (J)'\n"
+                  "set logscale y\nset format y '10^{%T}'\nset mytics 10\n"
+                  "set key outside top center horizontal\n"
+                  "positive(e) = e > 0 ? e : NaN\n"
+                  "plot $energies using 1:(positive($2)) with lines linewidth 1.4 linecolor '" +
+                  colour::vermilion + "' title 'kinetic {/:Italic E}_k', " +
+                  "$energies using 1:(positive($3)) with lines linewidth 1.4 linecolor '" +
+                  colour::blue + "' title 'elastic {/:Italic E}_p'\n");
+}
+
+Json analyse_run(const std::string& run_folder, bool all_frames) {
+  const fs::path run(run_folder);
+  if (!fs::is_directory(run)) throw DataError(run_folder + ": no such run folder");
+  const auto parameters = read_parameters((run / "parameters.json").string());
+  const auto body_files = dumps_of(run, "bodies");
+  const auto sphere_files = dumps_of(run, "spheres");
+
+  const auto packing = [&] {
+    PackingOptions options;
+    options.parameters = parameters.file;
+    return read_packing(last_frame(body_files), options);
+  }();
+  const auto spheres = last_frame(sphere_files);
+
+  const fs::path out = run / "analysis";
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) throw DataError(out.string() + ": cannot be created (" + error.message() + ")");
+
+  const double dt =
+      parameters.values.contains("timestep_s") ? parameters.number("timestep_s") : 0;
+  Json summary;
+  summary["format"] = "rodpack-analysis 1";
+  summary["timestep"] = packing.timestep;
+  if (dt > 0) summary["time_s"] = static_cast<double>(packing.timestep) * dt;
+  summary["particles"] = packing.size();
+  summary["bed_height_m"] = packing.surface - packing.walls.floor;
+  summary["notes"] = Json::array();
+  using Analysis = void (*)(const Packing&, const fs::path&, Json&);
+  for (const Analysis analysis : {analyse_orientation, analyse_rdf, analyse_solid_fraction}) try {
+      analysis(packing, out, summary);
+    } catch (const TooFewParticles& reason) {
+      summary["notes"].push_back(reason.what());
+    }
+  analyse_energies(run, out, summary);
+
+  RenderOptions render;
+  render.packing.parameters = parameters.file;
+  render_spheres(spheres, render, (out / "packing").string());
+
+  auto exported = all_frames ? body_files : std::vector<std::string>{body_files.back()};
+  const auto add = [&](const std::vector<std::string>& files) {
+    exported.insert(exported.end(), all_frames ? files.begin() : files.end() - 1, files.end());
+  };
+  add(sphere_files);
+  try {
+    add(dumps_of(run, "contacts"));
+  } catch (const DataError& reason) {
+    summary["notes"].push_back(std::string("contacts: ") + reason.what());
+  }
+  export_vtk(exported, (out / "vtk").string(), dt);
+
+  summary["parameters"] = parameters.values;
+  write_text((out / "summary.json").string(), summary.dump(2) + "\n");
+  return summary;
+}
+
+}  // namespace rodpack
