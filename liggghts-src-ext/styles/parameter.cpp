@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "parameter.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "comm.h"
+#include "error.h"
+#include "input.h"
+#include "variable.h"
+
+using namespace LAMMPS_NS;
+
+std::vector<Parameter::Declaration> Parameter::declared_;
+
+namespace {
+
+/// Command-line words of this process; empty where the system does not tell (no /proc).
+std::vector<std::string> command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
+  return words;
+}
+
+std::string json_string(const std::string &text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (static_cast<unsigned char>(c) >= 0x20) quoted += c;
+  }
+  return quoted + "\"";
+}
+
+/// Shortest text that reads back as the same number (users write ".5" or "+1", JSON does not allow it).
+std::string json_number(double number) {
+  char text[32];
+  for (int digits = 6; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    if (std::strtod(text, nullptr) == number) break;
+  }
+  return text;
+}
+
+bool to_number(const std::string &text, bool integer, double &number) {
+  char *end = nullptr;
+  errno = 0;
+  number = integer ? static_cast<double>(std::strtoll(text.c_str(), &end, 10))
+                   : std::strtod(text.c_str(), &end);
+  const bool complete = end != text.c_str() && *end == '\0';
+  return complete && errno != ERANGE && std::abs(number) < HUGE_VAL;
+}
+
+}  // namespace
+
+void Parameter::command(int narg, char **arg) {
+  const std::vector<std::string> words(arg, arg + narg);
+  if (narg == 1 && words[0] == "check")
+    check_command_line();
+  else if (narg == 2 && words[0] == "write")
+    write(words[1]);
+  else if (narg == 1 && words[0] == "clear")
+    declared_.clear();
+  else
+    declare(words);
+}
+
+void Parameter::declare(const std::vector<std::string> &words) {
+  if (words.size() < 3)
+    fail("expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME choice A B ...', "
+         "got " + std::to_string(words.size()) + " words");
+  Declaration it{words[0], words[1], "", ""};
+  const std::string who = "parameter '" + it.name + "': ";
+
+  if (it.type == "choice") {
+    const std::set<std::string> choices(words.begin() + 2, words.end());
+    it.value = take_value(it.name, words[2]);
+    if (!choices.count(it.value)) {
+      std::string list;
+      for (auto word = words.begin() + 2; word != words.end(); ++word) list += " " + *word;
+      fail(who + "value '" + it.value + "' is none of:" + list);
+    }
+    // the input language compares numbers only, so a deck tests ${NAME_is_CHOICE} == 1
+    for (const auto &choice : choices)
+      set_variable(it.name + "_is_" + choice, "string", choice == it.value ? "1" : "0");
+  } else if (it.type == "text") {
+    it.value = take_value(it.name, words[2]);
+    set_variable(it.name + "_given", "string", it.value == words[2] ? "0" : "1");
+  } else if (it.type == "real" || it.type == "integer") {
+    const bool integer = it.type == "integer";
+    it.value = take_value(it.name, words[2]);
+    double number = 0;
+    if (!to_number(it.value, integer, number))
+      fail(who + "expected " + (integer ? "an integer" : "a number") + ", got '" + it.value + "'");
+    for (std::size_t k = 3; k < words.size(); k += 2) {
+      if (k + 1 == words.size()) fail(who + "keyword '" + words[k] + "' needs a value");
+      if (words[k] == "unit") {
+        it.unit = words[k + 1];
+        continue;
+      }
+      double bound = 0;
+      if (!to_number(words[k + 1], false, bound))
+        fail(who + "keyword '" + words[k] + "' needs a number, got '" + words[k + 1] + "'");
+      const bool kept = words[k] == "minimum" ? number >= bound
+                        : words[k] == "above" ? number > bound
+                        : words[k] == "maximum" ? number <= bound
+                        : words[k] == "below"   ? number < bound
+                                                : (fail(who + "unknown keyword '" + words[k] + "'"), false);
+      if (!kept) fail(who + "expected " + words[k] + " " + words[k + 1] + ", got " + it.value);
+    }
+  } else {
+    fail(who + "unknown type '" + it.type + "', expected real, integer, text or choice");
+  }
+  declared_.erase(std::remove_if(declared_.begin(), declared_.end(),
+                                 [&](const Declaration &d) { return d.name == it.name; }),
+                  declared_.end());
+  declared_.push_back(it);
+}
+
+void Parameter::check_command_line() const {
+  const std::vector<std::string> words = command_line();
+  for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+    if (words[k] != "-var" && words[k] != "-v") continue;
+    const std::string &name = words[k + 1];
+    if (std::any_of(declared_.begin(), declared_.end(),
+                    [&](const Declaration &d) { return d.name == name; }))
+      continue;
+    std::string list;
+    for (const auto &d : declared_) list += " " + d.name;
+    fail("unknown deck parameter '" + name + "' on the command line; this deck takes:" + list);
+  }
+}
+
+void Parameter::write(const std::string &file) const {
+  enum { written, exists, failed };
+  int result = written;
+  if (comm->me == 0 && std::ifstream(file)) {
+    result = exists;
+  } else if (comm->me == 0) {
+    std::ofstream out(file);
+    out << "{\n  \"format\": \"rodpack-run 1\"";
+    for (const auto &d : declared_) {
+      const bool number = d.type == "real" || d.type == "integer";
+      const std::string value =
+          number ? json_number(std::strtod(d.value.c_str(), nullptr)) : json_string(d.value);
+      out << ",\n  " << json_string(d.unit.empty() ? d.name : d.name + "_" + d.unit) << ": " << value;
+    }
+    out << "\n}\n";
+    out.close();
+    if (!out) result = failed;
+  }
+  MPI_Bcast(&result, 1, MPI_INT, 0, world);
+  if (result == exists)
+    fail("'" + file + "' exists already: a run is never overwritten, choose another folder or resume it");
+  if (result == failed) fail("cannot write '" + file + "': does its folder exist?");
+}
+
+std::string Parameter::take_value(const std::string &name, const std::string &fallback) const {
+  // "index" leaves a variable alone that the command line has set already
+  set_variable(name, "index", fallback);
+  return input->variable->retrieve(const_cast<char *>(name.c_str()));
+}
+
+void Parameter::set_variable(const std::string &name, const std::string &style,
+                             const std::string &value) const {
+  std::string words[] = {name, style, value};
+  char *arg[] = {&words[0][0], &words[1][0], &words[2][0]};
+  input->variable->set(3, arg);
+}
+
+void Parameter::fail(const std::string &message) const {
+  error->all(FLERR, message.c_str());
+  std::abort();  // error->all does not return, but does not say so
+}

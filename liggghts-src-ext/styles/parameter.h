@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef COMMAND_CLASS
+
+CommandStyle(parameter, Parameter)
+
+#else
+
+#ifndef LMP_PARAMETER_H
+#define LMP_PARAMETER_H
+
+#include "pointers.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+/// Declares, validates and records the parameters that a deck takes from the command line (-var);
+/// syntax in doc/parameter.md.
+class Parameter : protected Pointers {
+ public:
+  explicit Parameter(LAMMPS *lmp) : Pointers(lmp) {}
+  void command(int narg, char **arg);
+
+ private:
+  struct Declaration {
+    std::string name, type, value, unit;
+  };
+
+  void declare(const std::vector<std::string> &words);
+  void check_command_line() const;
+  void write(const std::string &file) const;
+  std::string take_value(const std::string &name, const std::string &fallback) const;
+  void set_variable(const std::string &name, const std::string &style, const std::string &value) const;
+  [[noreturn]] void fail(const std::string &message) const;
+
+  // a command object lives for one line only, the declarations for the whole deck
+  static std::vector<Declaration> declared_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif
