@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "liggghts_run.h"
+
+using namespace rodpack::test;
+
+namespace {
+
+const std::string deck = R"(
+parameter preset choice paper quick
+if "${preset_is_quick} == 1" then "variable particles index 250"
+parameter particles integer 9000 minimum 1
+parameter timestep real 1.1e-5 above 0 unit s
+parameter overlap real .5 minimum 0 below 1
+parameter resume text none
+parameter check
+parameter write parameters.json
+print "particles=${particles} paper=${preset_is_paper} resume=${resume_given}"
+)";
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void expect_error(const std::map<std::string, std::string>& vars, const std::string& message) {
+  const auto run = run_liggghts(deck, vars);
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("ERROR: " + message), std::string::npos) << run.output;
+  EXPECT_FALSE(std::filesystem::exists(run.folder / "parameters.json"));
+}
+
+}  // namespace
+
+TEST(ParameterCommand, TakesDefaultThenPresetThenCommandLine) {
+  EXPECT_NE(run_liggghts(deck).output.find("particles=9000 paper=1 resume=0"), std::string::npos);
+  EXPECT_NE(run_liggghts(deck, {{"preset", "quick"}}).output.find("particles=250 paper=0"),
+            std::string::npos);
+  EXPECT_NE(run_liggghts(deck, {{"preset", "quick"}, {"particles", "7"}, {"resume", "a.restart"}})
+                .output.find("particles=7 paper=0 resume=1"),
+            std::string::npos);
+}
+
+TEST(ParameterCommand, WritesJsonNumbersAndStrings) {
+  const auto run = run_liggghts(deck);
+  EXPECT_EQ(text_of(run.folder / "parameters.json"),
+            "{\n  \"format\": \"rodpack-run 1\",\n  \"preset\": \"paper\",\n  \"particles\": 9000,\n"
+            "  \"timestep_s\": 1.1e-05,\n  \"overlap\": 0.5,\n  \"resume\": \"none\"\n}\n");
+}
+
+TEST(ParameterCommand, NamesTheWrongValueAndWhatWasExpected) {
+  expect_error({{"preset", "fast"}}, "parameter 'preset': value 'fast' is none of: paper quick");
+  expect_error({{"particles", "1.5"}}, "parameter 'particles': expected an integer, got '1.5'");
+  expect_error({{"particles", "0"}}, "parameter 'particles': expected minimum 1, got 0");
+  expect_error({{"overlap", "1"}}, "parameter 'overlap': expected below 1, got 1");
+  expect_error({{"timestep", "nan"}}, "parameter 'timestep': expected a number, got 'nan'");
+  expect_error({{"timestep", "1e-5s"}}, "parameter 'timestep': expected a number, got '1e-5s'");
+}
+
+TEST(ParameterCommand, RefusesAVariableNobodyDeclared) {
+  expect_error({{"partciles", "12"}}, "unknown deck parameter 'partciles' on the command line");
+}
+
+TEST(ParameterCommand, NeverOverwritesARun) {
+  const auto run = run_liggghts("print 'kept' file parameters.json\n" + deck);
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("'parameters.json' exists already"), std::string::npos);
+  EXPECT_EQ(text_of(run.folder / "parameters.json"), "kept\n");
+}
