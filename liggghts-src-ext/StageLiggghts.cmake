@@ -79,7 +79,8 @@ endfunction()
 
 # Replaces text that today's compilers reject. A tree in which it is mended already passes; any other
 # text is not the LIGGGHTS we know.
-function(mend file old new)
+function(mend folder name old new)
+  set(file ${folder}/${name})
   file(READ ${file} text)
   string(FIND "${text}" "${old}" at_old)
   string(FIND "${text}" "${new}" at_new)
@@ -87,7 +88,7 @@ function(mend file old new)
     string(REPLACE "${old}" "${new}" text "${text}")
     file(WRITE ${file} "${text}")
   elseif(at_new EQUAL -1)
-    stop("${file} is not the one of 3.8.0 (no '${old}'): ${how_to_help}")
+    stop("${source} is not LIGGGHTS 3.8.0 (${name} lacks '${old}'): ${how_to_help}")
   endif()
 endfunction()
 
@@ -97,6 +98,47 @@ function(make_sh folder what)
   if(failed)
     stop("'sh Make.sh ${what}' failed in ${folder}: ${log}")
   endif()
+endfunction()
+
+# Writes the list of contact-model combinations that stock LIGGGHTS compiles for its fast path. The
+# rule is that of `Make.sh models`, whose own loop takes a minute of starting processes: the product
+# of (model number + 1) is below 30, and tangential is not off.
+function(write_stock_combinations folder)
+  foreach(kind SURFACE NORMAL TANGENTIAL COHESION ROLLING)
+    string(TOLOWER ${kind} prefix)
+    set(${kind} "")
+    if(NOT kind MATCHES "SURFACE|NORMAL")
+      set(${kind} ${kind}_OFF:1)
+    endif()
+    file(GLOB headers ${folder}/${prefix}_model_*.h)
+    foreach(header ${headers})
+      file(STRINGS ${header} line REGEX "^${kind}_MODEL\\(")
+      if(line MATCHES "\\( *([A-Z0-9_]+) *,.*, *([0-9]+) *\\)")
+        math(EXPR factor "${CMAKE_MATCH_2} + 1")
+        list(APPEND ${kind} ${CMAKE_MATCH_1}:${factor})
+      endif()
+    endforeach()
+  endforeach()
+  set(combinations "")
+  foreach(surface ${SURFACE})
+    foreach(normal ${NORMAL})
+      foreach(tangential ${TANGENTIAL})
+        foreach(cohesion ${COHESION})
+          foreach(rolling ${ROLLING})
+            set(models "${normal}, ${tangential}, ${cohesion}, ${rolling}, ${surface}")
+            string(REGEX REPLACE "[^,]*:" "" factors "${models}")
+            string(REPLACE "," "*" product "${factors}")
+            math(EXPR product "${product}")
+            if(product LESS 30 AND NOT tangential STREQUAL "TANGENTIAL_OFF:1")
+              string(REGEX REPLACE ":[0-9]+" "" models "${models}")
+              string(APPEND combinations "GRAN_MODEL(${models})\n")
+            endif()
+          endforeach()
+        endforeach()
+      endforeach()
+    endforeach()
+  endforeach()
+  file(WRITE ${folder}/style_contact_model.whitelist "${combinations}")
 endfunction()
 
 # The staged folder appears under its name when it is complete.
@@ -110,19 +152,16 @@ function(stage_stock_sources)
     endif()
   endif()
 
-  message(STATUS "Staging LIGGGHTS 3.8.0 from ${source} (half a minute, once)")
+  message(STATUS "Staging LIGGGHTS 3.8.0 from ${source}")
   file(REMOVE ${stamp} ${LIGGGHTS_WORK}/registrations.txt)
   set(partial ${LIGGGHTS_WORK}/partial)
   file(REMOVE_RECURSE ${staged} ${partial} ${partial}.unpacked)
   copy_sources(${partial})
-  mend(${partial}/utils.h
+  mend(${partial} utils.h
     "static_cast< std::ostringstream & >(( std::ostringstream() << std::dec << a ) ).str()"
     "std::to_string(a)")
-  mend(${partial}/finish.cpp "lists[m]->numneigh > 0" "lists[m]->numneigh != nullptr")
-  # The stock choice of compiled contact-model combinations is made before ours are seen, so that
-  # each of its combinations stays on the fast path.
-  make_sh(${partial} models)
-  make_sh(${partial} style)
+  mend(${partial} finish.cpp "lists[m]->numneigh > 0" "lists[m]->numneigh != nullptr")
+  write_stock_combinations(${partial})
   # Without the time of the build: an unchanged tree must not compile again.
   file(WRITE ${partial}/version_liggghts.h
        "#define LIGGGHTS_VERSION \"LIGGGHTS-PUBLIC 3.8.0 with rodpack\"\n")
@@ -133,10 +172,7 @@ endfunction()
 # Links our headers and contact-model combinations into the staged folder, flat as LIGGGHTS wants
 # them, and lets Make.sh derive the style lists; it leaves a list alone that did not change.
 function(overlay_styles)
-  file(GLOB overlay ${ext}/styles/*.h)
-  if(EXISTS ${ext}/styles/normal_model_spring_dashpot.h)
-    list(APPEND overlay ${ext}/styles/style_contact_model_user.whitelist)
-  endif()
+  file(GLOB overlay ${ext}/styles/*.h ${ext}/styles/*.whitelist)
   set(registrations "")
   foreach(file ${overlay})
     file(STRINGS ${file} lines REGEX "_(CLASS|MODEL)")
