@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "rodpack/chain_geometry.h"
+#include "chain_geometry.h"
 
 namespace rodpack {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "rodpack/multistep.h"
+#include "multistep.h"
 
 namespace rodpack {
 
