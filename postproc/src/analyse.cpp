@@ -115,7 +115,7 @@ void plot_energies(const std::string& energies_csv, const std::string& stem) {
               datablock("energies", {table.column("time_s"), kinetic, elastic}) +
                   "set xlabel 'time (s)'\nset ylabel 'energy (J)'\n"
                   "set logscale y\nset format y '10^{%T}'\nset mytics 10\n"
-                  "set key outside top center horizontal\n"
+                  "set key outside top center horizontal\nset autoscale xfix\n"
                   "positive(e) = e > 0 ? e : NaN\n"
                   "plot $energies using 1:(positive($2)) with lines linewidth 1.4 linecolor '" +
                   colour::vermilion + "' title 'kinetic {/:Italic E}_k', " +

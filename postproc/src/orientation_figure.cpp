@@ -31,7 +31,7 @@ void plot_orientation_linear(const OrientationDistribution& distribution, const 
           "set yrange [0:" + number_text(1.08 * largest(distribution)) + "]\n" +
           "set xtics " + (distribution.curved ? "60" : "30") + "\n" +
           "set boxwidth " + number_text(width) + "\n" +
-          "set key top center\n"
+          "set key outside top right horizontal\n"
           "plot $h using 1:2 with boxes linecolor '#8CBBD9', "
           "$h using 1:2:3 with yerrorbars pointtype 7 pointsize 0.4 linewidth 0.8 linecolor '" +
           colour::blue + "', " + uniform + " with lines dashtype 2 linewidth 1 linecolor '" +
@@ -44,7 +44,7 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
   const double outer = step * std::ceil(*std::max_element(distribution.density.begin(),
                                                           distribution.density.end()) / step);
   const bool half = !distribution.curved;
-  const double bottom = half ? -0.24 : -1.2;
+  const double bottom = half ? -0.24 : -1.36;
 
   // Curves in polar coordinates, separated by blank lines as gnuplot wants its polygons.
   const auto arc = [](double radius, double from, double to, int pieces) {
@@ -71,10 +71,10 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
     grid += arc(radius, 0, half ? 180 : 360, half ? 90 : 180) + "\n";
     // Half rose: under the base line; full rose: between two spokes.
     const double tilt = half ? 0 : 15 * degree;
-    labels += "set label '" + number_text(ring * step, 3) + "' at " +
+    labels += "set label '{/*0.8 " + number_text(ring * step, 3) + "}' at " +
               number_text(radius * std::cos(tilt)) + "," +
               number_text(half ? -0.06 : radius * std::sin(tilt)) +
-              " center front font ',0.8' textcolor '#404040'\n";
+              " center front textcolor '#404040'\n";
   }
   for (int angle = 0; angle <= (half ? 180 : 330); angle += 30) {
     const double c = std::cos(angle * degree);
@@ -86,7 +86,7 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
   grid += "EOD\n";
   labels +=
       "set label 'probability density (1/°)' at 0," + number_text(bottom + 0.06) + " center\n";
-  draw_figure(stem, half ? 1.7 : 1.0,
+  draw_figure(stem, half ? 1.7 : 0.98,
               sectors + grid + labels +
                   "unset border\nunset tics\nset lmargin 1\nset rmargin 1\nset tmargin 0.5\n"
                   "set bmargin 0.5\nset size ratio -1\n"

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "liggghts_run.h"
+#include "synthetic_packing.h"
+
+namespace {
+using rodpack::test::fresh_folder;
+using rodpack::test::put;
+using rodpack::test::SyntheticPacking;
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+auto rodpack_command(const std::string& arguments, const fs::path& folder = fresh_folder()) {
+  return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
+}
+
+struct Size {
+  unsigned width, height;
+};
+
+// Width and height from the header of a PNG file; 0 x 0 when it is none.
+Size png_size(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  unsigned char head[24] = {};
+  in.read(reinterpret_cast<char*>(head), sizeof head);
+  if (std::string(head + 1, head + 4) != "PNG" || std::string(head + 12, head + 16) != "IHDR")
+    return {0, 0};
+  const auto number = [&](int at) {
+    return (unsigned{head[at]} << 24U) + (unsigned{head[at + 1]} << 16U) +
+           (unsigned{head[at + 2]} << 8U) + head[at + 3];
+  };
+  return {number(16), number(20)};
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+SyntheticPacking small_packing(double curvature = 0) {
+  SyntheticPacking packing;
+  packing.shape.curvature_angle = curvature;
+  packing.fill();
+  return packing;
+}
+
+TEST(CommandLine, HelpTeachesWithAnExampleAndSucceeds) {
+  EXPECT_EQ(rodpack_command("--help").exit_code, 0);
+  for (const std::string name : {"orientation", "rdf", "render", "export", "analyse"}) {
+    const auto run = rodpack_command(name + " --help");
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_THAT(run.output, HasSubstr("Example"));
+    EXPECT_THAT(run.output, HasSubstr("rodpack " + name));
+  }
+}
+
+TEST(CommandLine, WrongUsageExitsWithTwo) {
+  EXPECT_EQ(rodpack_command("").exit_code, 2);
+  EXPECT_EQ(rodpack_command("stress").exit_code, 2);
+  EXPECT_EQ(rodpack_command("rdf").exit_code, 2);
+  EXPECT_EQ(rodpack_command("rdf a.dump --bin -1").exit_code, 2);
+  EXPECT_EQ(rodpack_command("orientation a.dump --bins many").exit_code, 2);
+  EXPECT_EQ(rodpack_command("render a.dump --colour pink").exit_code, 2);
+  EXPECT_EQ(rodpack_command("render a.dump --window 1 0 0 1").exit_code, 2);
+  EXPECT_EQ(rodpack_command("orientation a.dump --walls 0 1").exit_code, 2);
+}
+
+TEST(CommandLine, BadDataExitsWithOneAndOneLineAndWritesNothing) {
+  const auto folder = fresh_folder();
+  put(folder / "a.dump", "nonsense\n");
+  for (const std::string command : {"orientation", "rdf", "render", "export"}) {
+    const auto run = rodpack_command(command + " a.dump", folder);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.output, "rodpack: a.dump:1: expected 'ITEM: TIMESTEP', found 'nonsense'\n");
+    EXPECT_EQ(rodpack_command(command + " none.dump", folder).output,
+              "rodpack: none.dump: no such file\n");
+    EXPECT_EQ(rodpack_command(command + " 'x*.dump'", folder).output,
+              "rodpack: no file matches 'x*.dump'\n");
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << "something was written";
+}
+
+TEST(CommandLine, MissingColumnIsNamed) {
+  const auto folder = fresh_folder();
+  put(folder / "spheres.dump", small_packing().spheres_frame(1));
+  const auto run = rodpack_command("orientation spheres.dump", folder);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.output,
+            "rodpack: spheres.dump:9: no column 'angle'; the columns are: id body type x y z radius "
+            "fx fy fz fsum\n");
+}
+
+TEST(Orientation, WritesTableAndFigures) {
+  const auto folder = fresh_folder();
+  put(folder / "b.dump", small_packing().bodies_frame(1));
+  const auto run = rodpack_command("orientation b.dump --bins 18 -o gamma", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto table = rodpack::test::read_table(folder / "gamma.csv");
+  EXPECT_THAT(content(folder / "gamma.csv"),
+              HasSubstr("gamma_deg,count,probability_density_per_deg,standard_error_per_deg\n5,"));
+  EXPECT_EQ(table.rows(), 18U);
+  double integral = 0;
+  for (const double density : table.column("probability_density_per_deg")) integral += 10 * density;
+  EXPECT_NEAR(integral, 1, 1e-8);
+  EXPECT_THAT(run.output, HasSubstr("S2 = "));
+  EXPECT_EQ(png_size(folder / "gamma.png").width, 1600U);
+  EXPECT_EQ(png_size(folder / "gamma_polar.png").width, 1600U);
+  for (const std::string name : {"gamma.svg", "gamma_polar.svg"}) {
+    EXPECT_THAT(content(folder / name), HasSubstr("<svg"));
+    EXPECT_THAT(content(folder / name), HasSubstr("</svg>"));
+    EXPECT_THAT(content(folder / name), HasSubstr("probability density (1/°)"));
+  }
+}
+
+TEST(RdfCommand, WritesTableAndFigure) {
+  const auto folder = fresh_folder();
+  put(folder / "b.dump", small_packing().bodies_frame(1));
+  const auto run = rodpack_command("rdf b.dump --r-max 5", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(rodpack::test::read_table(folder / "rdf.csv").column("r_over_dp").size(), 50U);
+  EXPECT_EQ(png_size(folder / "rdf.png").width, 1600U);
+  EXPECT_THAT(content(folder / "rdf.svg"), HasSubstr("</svg>"));
+}
+
+TEST(Render, KeepsTheAspectRatioOfTheWindow) {
+  const auto folder = fresh_folder();
+  put(folder / "s.dump", small_packing().spheres_frame(1));
+  // Without colour bar the margins are the same left and right, so a window twice as wide as another
+  // is drawn with twice the width inside the margins.
+  ASSERT_EQ(rodpack_command("render s.dump --colour none --window 0 0.1 0 0.1 --pixels 500 -o a",
+                            folder).exit_code, 0);
+  ASSERT_EQ(rodpack_command("render s.dump --colour none --window 0 0.1 0 0.05 --pixels 500 -o b",
+                            folder).exit_code, 0);
+  const auto text = content(folder / "b.svg");
+  const auto clip = text.substr(text.find("<clipPath"));
+  EXPECT_THAT(clip.substr(0, 200), HasSubstr("width=\"500\" height=\"250\""));
+  EXPECT_THAT(content(folder / "a.svg"), HasSubstr("width=\"500\" height=\"500\""));
+  const auto size = png_size(folder / "a.png");
+  EXPECT_GT(size.width, 500U);
+  EXPECT_LT(size.width, 560U);
+}
+
+TEST(Render, WindowInDiametersIsTheSameAsInMetres) {
+  const auto folder = fresh_folder();
+  put(folder / "s.dump", small_packing().spheres_frame(1));
+  ASSERT_EQ(rodpack_command("render s.dump --window 0.03 0.09 0 0.06 -o a", folder).exit_code, 0);
+  ASSERT_EQ(rodpack_command("render s.dump --window 10 30 0 20 --in-dp -o b", folder).exit_code, 0);
+  EXPECT_EQ(content(folder / "a.svg"), content(folder / "b.svg"));
+}
+
+TEST(Render, EveryColourHasItsBarWithUnit) {
+  const auto folder = fresh_folder();
+  put(folder / "s.dump", small_packing().spheres_frame(1));
+  for (const auto& [colour, label] :
+       {std::pair<std::string, std::string>{"force", "contact force on sphere (mN)"},
+        {"fsum", "sum of contact forces (mN)"},
+        {"orientation", "direction of the long axis (°)"}}) {
+    const auto run = rodpack_command("render s.dump --pixels 400 --colour " + colour, folder);
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_THAT(content(folder / "packing.svg"), HasSubstr(label));
+    EXPECT_GT(png_size(folder / "packing.png").width, 400U);
+  }
+  const auto empty = rodpack_command("render s.dump --window 5 6 5 6", folder);
+  EXPECT_EQ(empty.exit_code, 1);
+  EXPECT_THAT(empty.output, HasSubstr("no sphere lies in the window x 5 ... 6 m, y 5 ... 6 m"));
+}
+
+TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
+  for (const double curvature : {0.0, 2.0}) {
+    const auto run_folder = fresh_folder() / "run";
+    const auto packing = small_packing(curvature);
+    packing.write_run(run_folder);
+    const auto foreign = run_folder / "analysis" / "notes.txt";
+    put(foreign, "mine");
+    const auto run = rodpack_command("analyse '" + run_folder.string() + "'");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const auto out = run_folder / "analysis";
+    for (const std::string stem : {"orientation", "orientation_polar", "rdf", "solid_fraction",
+                                   "energies", "packing"}) {
+      EXPECT_GT(png_size(out / (stem + ".png")).width, 1000U) << stem;
+      EXPECT_THAT(content(out / (stem + ".svg")), HasSubstr("</svg>")) << stem;
+    }
+    const auto summary = nlohmann::json::parse(content(out / "summary.json"));
+    EXPECT_EQ(summary["timestep"], 2000);
+    EXPECT_NEAR(summary["time_s"].get<double>(), 0.022, 1e-12);
+    EXPECT_EQ(summary["particles"], packing.body_count);
+    EXPECT_EQ(summary["parameters"]["format"], "rodpack-run 1");
+    // Squares of 15 mm fill 0.3 m x 0.3 m: surface at 0.3 m, phi = 5 areas per square.
+    EXPECT_NEAR(summary["bed_height_m"].get<double>(), 0.3, 0.003);
+    const double phi = 5 * rodpack::covered_area(packing.shape) / (0.015 * 0.015);
+    EXPECT_NEAR(
+        summary["solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface"].get<double>(),
+        phi, 0.01 * phi);
+    EXPECT_TRUE(summary["rdf_centres"].get<int>() > 0);
+    for (const std::string kind : {"bodies", "spheres", "contacts"}) {
+      EXPECT_TRUE(fs::exists(out / "vtk" / (kind + ".2000.vtp")));
+      EXPECT_FALSE(fs::exists(out / "vtk" / (kind + ".1000.vtp")));
+      EXPECT_THAT(content(out / "vtk" / (kind + ".pvd")), HasSubstr("timestep=\"0.022\""));
+    }
+    EXPECT_EQ(content(foreign), "mine");
+  }
+}
+
+TEST(Analyse, MissingFolderParametersOrDumpsGiveOneLine) {
+  const auto folder = fresh_folder();
+  EXPECT_EQ(rodpack_command("analyse none", folder).output, "rodpack: none: no such run folder\n");
+  fs::create_directory(folder / "run");
+  EXPECT_EQ(rodpack_command("analyse run", folder).output,
+            "rodpack: run/parameters.json: no such file, or it cannot be read\n");
+  put(folder / "run" / "parameters.json", "{}");
+  const auto run = rodpack_command("analyse run", folder);
+  EXPECT_EQ(run.output, "rodpack: no file matches 'run/dumps/bodies.*.dump*'\n");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_FALSE(fs::exists(folder / "run" / "analysis"));
+}
+
+TEST(Analyse, ABedOfSpheresLeavesOrientationOutAndSaysSo) {
+  const auto run_folder = fresh_folder() / "run";
+  SyntheticPacking packing;
+  packing.shape = {1, 3e-3, 0.5, 0, 3e-3};
+  packing.width = packing.height = 0.1;
+  packing.fill();
+  packing.write_run(run_folder);
+  const auto run = rodpack_command("analyse '" + run_folder.string() + "'");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("no particle to take the orientation of"));
+  EXPECT_FALSE(fs::exists(run_folder / "analysis" / "orientation.csv"));
+  EXPECT_TRUE(fs::exists(run_folder / "analysis" / "rdf.csv"));
+}
+
+}  // namespace

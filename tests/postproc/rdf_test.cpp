@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/rdf.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+using namespace rodpack;
+const double pi = std::acos(-1.0);
+
+Packing box(double width, double height) {
+  Packing packing;
+  packing.walls.right = width;
+  packing.surface = height;
+  packing.particle_diameter = 1;
+  packing.aspect_ratio = 1;
+  return packing;
+}
+
+Packing ideal_gas(double width, double height, int count, unsigned seed) {
+  auto packing = box(width, height);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < count; ++i) {
+    packing.x.push_back(width * uniform(random));
+    packing.y.push_back(height * uniform(random));
+  }
+  return packing;
+}
+
+// In an ideal gas every bin is 1 within its error: over the bins the mean square of
+// (g - 1) / standard error is 1 +- sqrt(2 / bins); 4 of these widths are allowed for.
+void expect_ideal(const Rdf& rdf) {
+  double square = 0;
+  for (std::size_t k = 0; k < rdf.g.size(); ++k) {
+    EXPECT_NEAR(rdf.g[k], 1, 5 * rdf.standard_error[k]) << "r = " << rdf.r[k];
+    square += std::pow((rdf.g[k] - 1) / rdf.standard_error[k], 2);
+  }
+  const double bins = static_cast<double>(rdf.g.size());
+  EXPECT_NEAR(square / bins, 1, 4 * std::sqrt(2 / bins));
+  EXPECT_NEAR(rdf.tail_g, 1, 4 * rdf.tail_standard_error);
+}
+
+TEST(QuarterDiscArea, MatchesClosedForms) {
+  EXPECT_NEAR(quarter_disc_area(2, 5, 5), pi, 1e-12);   // whole quarter: pi r^2 / 4
+  EXPECT_NEAR(quarter_disc_area(5, 1, 2), 2, 1e-12);    // whole rectangle
+  EXPECT_NEAR(quarter_disc_area(1, 0, 1), 0, 1e-12);
+  // Cut at x = r/2: half of the strip = (r^2/2)(t + sin t cos t) with sin t = 1/2.
+  const double t = pi / 6;
+  EXPECT_NEAR(quarter_disc_area(1, 0.5, 3), 0.5 * (t + 0.5 * std::cos(t)), 1e-12);
+  EXPECT_NEAR(quarter_disc_area(1, 3, 0.5), 0.5 * (t + 0.5 * std::cos(t)), 1e-12);
+  // a = b = 0.8, r = 1: flat part 0.8 * 0.6, then the integral of sqrt(1 - x^2) from 0.6 to 0.8,
+  // (asin 0.8 - asin 0.6) / 2 + (0.8 * 0.6 - 0.6 * 0.8) / 2.
+  EXPECT_NEAR(quarter_disc_area(1, 0.8, 0.8), 0.48 + (std::asin(0.8) - std::asin(0.6)) / 2, 1e-12);
+}
+
+TEST(Rdf, IdealGasGivesOneWithWholeRings) {
+  RdfSample sample({0.25, 10, -1});
+  sample.add(ideal_gas(120, 120, 14400, 2));
+  const auto rdf = sample.result();
+  EXPECT_FALSE(rdf.margin_reduced);
+  EXPECT_NEAR(rdf.margin, 11, 1e-12);
+  expect_ideal(rdf);
+}
+
+TEST(Rdf, IdealGasGivesOneWhereWallsAndSurfaceCutTheRings) {
+  RdfSample sample({0.25, 15, 1});  // centres 1 from the walls, rings up to 15
+  sample.add(ideal_gas(60, 40, 6000, 3));
+  expect_ideal(sample.result());
+}
+
+TEST(Rdf, IdealGasGivesOneAcrossAPeriodicSide) {
+  auto packing = ideal_gas(40, 80, 6000, 4);
+  packing.walls.sides = false;
+  RdfSample sample({0.25, 10, -1});
+  sample.add(packing);
+  expect_ideal(sample.result());
+}
+
+TEST(Rdf, FramesAddUp) {
+  RdfSample sample({0.5, 10, -1});
+  for (unsigned seed = 10; seed < 14; ++seed) sample.add(ideal_gas(60, 60, 3600, seed));
+  const auto rdf = sample.result();
+  expect_ideal(rdf);
+  EXPECT_NEAR(rdf.density, 1, 4 / std::sqrt(static_cast<double>(rdf.centres)));
+}
+
+// Square lattice of unit spacing: 4 neighbours at 1, 4 at sqrt 2, 4 at 2, 8 at sqrt 5, 4 at sqrt 8.
+// 38 x 38 sites lie further than 11 from the walls of a 60 x 60 box, a region of area 38^2: rho = 1,
+// so g of a bin is the number of neighbours over the area of its ring.
+TEST(Rdf, SquareLatticeHasItsShellsAndNothingBetween) {
+  auto packing = box(60, 60);
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j) {
+      packing.x.push_back(i + 0.5);
+      packing.y.push_back(j + 0.5);
+    }
+  RdfSample sample({0.1, 2.95, -1});
+  sample.add(packing);
+  const auto rdf = sample.result();
+  EXPECT_EQ(rdf.centres, 38U * 38U);
+  std::vector<double> shell(rdf.g.size(), 0);
+  for (const auto& [r, neighbours] :
+       {std::pair{1.0, 4}, {std::sqrt(2.0), 4}, {2.0, 4}, {std::sqrt(5.0), 8}, {std::sqrt(8.0), 4}})
+    shell[static_cast<std::size_t>(r / 0.1 + 1e-9)] = neighbours;
+  for (std::size_t k = 0; k < rdf.g.size(); ++k) {
+    // 1 and 2 sit on the edge between two bins, where rounding decides: take the pair of bins.
+    if (std::abs(rdf.r[k] + 0.05 - std::round(rdf.r[k] + 0.05)) < 1e-9) continue;
+    double pairs = rdf.pairs[k];
+    if (std::abs(rdf.r[k] - 0.05 - std::round(rdf.r[k] - 0.05)) < 1e-9 && k > 0)
+      pairs += rdf.pairs[k - 1];
+    EXPECT_NEAR(pairs / (38.0 * 38.0), shell[k], 1e-12) << "r = " << rdf.r[k];
+    EXPECT_NEAR(rdf.g[k], rdf.pairs[k] / (38.0 * 38.0) / (2 * pi * rdf.r[k] * 0.1), 1e-9);
+  }
+}
+
+TEST(Rdf, SmallBedShrinksTheMarginToAThirdAndSaysSo) {
+  RdfSample sample({0.5, 10, -1});
+  sample.add(ideal_gas(60, 15, 900, 5));
+  const auto rdf = sample.result();
+  EXPECT_TRUE(rdf.margin_reduced);
+  EXPECT_NEAR(rdf.margin, 5, 1e-12);
+  expect_ideal(rdf);
+}
+
+TEST(Rdf, TooFewCentresAndTooShortPeriodsAreErrors) {
+  RdfSample sample({0.5, 10, 8});
+  EXPECT_THROW(sample.add(ideal_gas(60, 15, 900, 5)), TooFewParticles);
+  auto periodic = ideal_gas(15, 60, 900, 5);
+  periodic.walls.sides = false;
+  try {
+    sample.add(periodic);
+    FAIL() << "a ring wider than the period was accepted";
+  } catch (const DataError& error) {
+    EXPECT_STREQ(error.what(),
+                 "the largest distance, 10 d_p, exceeds half of the period in x, 7.5 d_p");
+  }
+}
+
+}  // namespace
