@@ -147,13 +147,13 @@ void write_vtp(const Frame& frame, DumpKind kind, const std::string& file) {
 
 std::vector<std::string> export_vtk(const std::vector<std::string>& files,
                                     const std::string& folder, double timestep_s) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");
   std::vector<std::string> written;
   std::map<DumpKind, std::map<long, std::string>> index;
   for_each_frame(files, [&](const Frame& frame) {
     const auto kind = kind_of(frame);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");
     const auto name = kind_name(kind) + "." + std::to_string(frame.timestep) + ".vtp";
     const auto path = (std::filesystem::path(folder) / name).string();
     write_vtp(frame, kind, path);

@@ -30,17 +30,12 @@ Packing ideal_gas(double width, double height, int count, unsigned seed) {
   return packing;
 }
 
-// In an ideal gas every bin is 1 within its error: over the bins the mean square of
-// (g - 1) / standard error is 1 +- sqrt(2 / bins); 4 of these widths are allowed for.
+// In an ideal gas every bin is 1 within its error; 4.5 of them leave a chance of 1e-5 per bin.
 void expect_ideal(const Rdf& rdf) {
-  double square = 0;
-  for (std::size_t k = 0; k < rdf.g.size(); ++k) {
-    EXPECT_NEAR(rdf.g[k], 1, 5 * rdf.standard_error[k]) << "r = " << rdf.r[k];
-    square += std::pow((rdf.g[k] - 1) / rdf.standard_error[k], 2);
-  }
-  const double bins = static_cast<double>(rdf.g.size());
-  EXPECT_NEAR(square / bins, 1, 4 * std::sqrt(2 / bins));
+  for (std::size_t k = 0; k < rdf.g.size(); ++k)
+    EXPECT_NEAR(rdf.g[k], 1, 4.5 * rdf.standard_error[k]) << "r = " << rdf.r[k];
   EXPECT_NEAR(rdf.tail_g, 1, 4 * rdf.tail_standard_error);
+  EXPECT_LT(rdf.tail_standard_error, 0.1);  // the check above means something
 }
 
 TEST(QuarterDiscArea, MatchesClosedForms) {
@@ -85,6 +80,31 @@ TEST(Rdf, FramesAddUp) {
   const auto rdf = sample.result();
   expect_ideal(rdf);
   EXPECT_NEAR(rdf.density, 1, 4 / std::sqrt(static_cast<double>(rdf.centres)));
+}
+
+// Over many samples of an ideal gas, (g - 1) / standard error has mean 0 and spread 1, within
+// 4 / sqrt(samples) = 0.28 and 4 / sqrt(2 samples) = 0.2; rings whole and cut.
+TEST(Rdf, StandardErrorIsTheSpreadOverManySamples) {
+  for (const double margin : {-1.0, 1.0}) {
+    const int samples = 200;
+    double sum[3] = {}, square[3] = {};
+    for (int seed = 0; seed < samples; ++seed) {
+      RdfSample sample({1, 8, margin});
+      sample.add(ideal_gas(40, 40, 1600, 100 + static_cast<unsigned>(seed)));
+      const auto rdf = sample.result();
+      const double deviations[3] = {(rdf.g[0] - 1) / rdf.standard_error[0],
+                                    (rdf.g[7] - 1) / rdf.standard_error[7],
+                                    (rdf.tail_g - 1) / rdf.tail_standard_error};
+      for (int k = 0; k < 3; ++k) {
+        sum[k] += deviations[k] / samples;
+        square[k] += deviations[k] * deviations[k] / samples;
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(sum[k], 0, 0.28) << "margin " << margin << ", quantity " << k;
+      EXPECT_NEAR(std::sqrt(square[k]), 1, 0.2) << "margin " << margin << ", quantity " << k;
+    }
+  }
 }
 
 // Square lattice of unit spacing: 4 neighbours at 1, 4 at sqrt 2, 4 at 2, 8 at sqrt 5, 4 at sqrt 8.

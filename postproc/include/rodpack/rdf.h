@@ -19,7 +19,7 @@ struct RdfOptions {
 struct Rdf {
   std::vector<double> r;               // middle of the bin, in d_p
   std::vector<double> g;               // 1: as in an ideal gas of the same density
-  std::vector<double> standard_error;  // of g, from the number of distinct pairs
+  std::vector<double> standard_error;  // of g, see RdfSample
   std::vector<double> pairs;           // (centre, neighbour) pairs in the bin
   std::size_t centres = 0;             // particles in the analysis region, all frames
   double density = 0;                  // mean number per area in the analysis region, 1/m^2
@@ -37,6 +37,10 @@ struct Rdf {
 /// smaller) from walls and surface, where the layering along the walls begins; 2 pi r dr is the part
 /// of the ring inside that window, so that G tends to 1 for every r. With r <= 10 d_p and the full
 /// margin every ring is complete.
+///
+/// The standard error holds for independent particles, an upper bound at large r for dense packings,
+/// whose density fluctuates less: the number of distinct pairs, and the scatter of rho, which is
+/// common to all bins.
 class RdfSample {
  public:
   explicit RdfSample(const RdfOptions& options);
@@ -49,6 +53,7 @@ class RdfSample {
   RdfOptions options_;
   std::vector<double> pairs_;
   std::vector<double> variance_;  // of pairs_: a pair of two centres is one event that counts twice
+  std::vector<double> density_variance_;  // of pairs_, from the scatter of rho
   std::vector<double> expected_;  // pairs of an ideal gas: rho times area of the rings
   std::size_t centres_ = 0;
   double region_area_ = 0;
