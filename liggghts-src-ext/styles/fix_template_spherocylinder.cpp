@@ -83,20 +83,22 @@ FixTemplateSpherocylinder::FixTemplateSpherocylinder(LAMMPS* lmp,
                                                      const SpherocylinderOptions& options,
                                                      StockArguments&& stock)
     : FixTemplateMultisphere(lmp, stock.count(), stock.data()),
-      options_(options),
-      drawn_(options.particle(options.shape.nominal_diameter)) {
-  nspheres = static_cast<int>(drawn_.centres.size());
+      options_(new SpherocylinderOptions(options)),
+      drawn_(new Spherocylinder(options.particle(options.shape.nominal_diameter))) {
+  nspheres = static_cast<int>(drawn_->centres.size());
   vol_limit = 0;  // stock refuses volumes below 1e-12 m^3; sizes have been checked here
   delete pti;
-  pti = new ParticleToInsertSpherocylinder(lmp, nspheres, options_.planar);
-  if (options_.planar) {
+  pti = new ParticleToInsertSpherocylinder(lmp, nspheres, options_->planar);
+  if (options_->planar) {
     fflag_[2] = false;
     tflag_[0] = tflag_[1] = false;
   }
 }
 
+FixTemplateSpherocylinder::~FixTemplateSpherocylinder() {}
+
 void FixTemplateSpherocylinder::post_create() {
-  const Spherocylinder nominal = options_.particle(options_.shape.nominal_diameter);
+  const Spherocylinder nominal = options_->particle(options_->shape.nominal_diameter);
   const std::vector<double> shares = rodpack::volume_shares(nominal.shape);
   const double radius = 0.5 * nominal.shape.diameter;
   for (int i = 0; i < nspheres; ++i) {
@@ -109,10 +111,10 @@ void FixTemplateSpherocylinder::post_create() {
   vectorZeroize3D(xcm_to_xb_body_);
   r_bound = 0;
   for (double draw : {0., 0.5, 1.})
-    r_bound = std::max(r_bound, options_.particle(options_.diameter(draw)).bounding_radius);
+    r_bound = std::max(r_bound, options_->particle(options_->diameter(draw)).bounding_radius);
 
-  volume_expect = mean_over_draws(options_, [](const Spherocylinder& p) { return p.volume; });
-  mass_expect = mean_over_draws(options_, [](const Spherocylinder& p) { return p.mass.mass; });
+  volume_expect = mean_over_draws(*options_, [](const Spherocylinder& p) { return p.volume; });
+  mass_expect = mean_over_draws(*options_, [](const Spherocylinder& p) { return p.mass.mass; });
   r_equiv = std::cbrt(3. * volume_expect / (4. * M_PI));
   pdf_density->set_params<RANDOM_CONSTANT>(mass_expect / volume_expect);
 
@@ -158,7 +160,7 @@ void FixTemplateSpherocylinder::setup(int) {
     const int tag = multisphere->belongs_to(i);
     const int body = tag < 0 ? -1 : bodies.map(tag);
     if (body < 0 || type(body) != type_ || (*rods.radius)(body) > 0) continue;
-    const Spherocylinder chain = options_.particle(2. * atom->radius[i]);
+    const Spherocylinder chain = options_->particle(2. * atom->radius[i]);
     rods.radius->set(body, atom->radius[i]);
     rods.half_length->set(body, nspheres == 1 ? atom->radius[i]
                                               : 0.5 * rodpack::axial_length(chain.shape));
@@ -167,13 +169,13 @@ void FixTemplateSpherocylinder::setup(int) {
   }
 }
 
-double FixTemplateSpherocylinder::min_rad() { return 0.5 * options_.diameter(0.); }
+double FixTemplateSpherocylinder::min_rad() { return 0.5 * options_->diameter(0.); }
 
-double FixTemplateSpherocylinder::max_rad() { return 0.5 * options_.diameter(1.); }
+double FixTemplateSpherocylinder::max_rad() { return 0.5 * options_->diameter(1.); }
 
 const Spherocylinder& FixTemplateSpherocylinder::particle(double draw) {
-  if (options_.size_spread > 0) drawn_ = options_.particle(options_.diameter(draw));
-  return drawn_;
+  if (options_->size_spread > 0) *drawn_ = options_->particle(options_->diameter(draw));
+  return *drawn_;
 }
 
 void FixTemplateSpherocylinder::prepare(ParticleToInsertSpherocylinder& insertion, double draw) {
@@ -218,7 +220,7 @@ void FixTemplateSpherocylinder::init_ptilist(int n, const bool, FixPropertyAtom*
   pti_list = static_cast<ParticleToInsert**>(
       memory->smalloc(n * sizeof(ParticleToInsert*), "spherocylinder:pti_list"));
   for (int i = 0; i < n; ++i)
-    pti_list[i] = new ParticleToInsertSpherocylinder(lmp, nspheres, options_.planar);
+    pti_list[i] = new ParticleToInsertSpherocylinder(lmp, nspheres, options_->planar);
 }
 
 void FixTemplateSpherocylinder::randomize_ptilist(int n, int distribution_groupbit, int distorder) {

@@ -8,18 +8,22 @@ FixStyle(particletemplate/multisphere/spherocylinder,FixTemplateSpherocylinder)
 #ifndef RODPACK_FIX_TEMPLATE_SPHEROCYLINDER_H
 #define RODPACK_FIX_TEMPLATE_SPHEROCYLINDER_H
 
+#include <memory>
+
 #include "fix_template_multisphere.h"
-#include "spherocylinder_options.h"
 
 namespace LAMMPS_NS {
 
 class ParticleToInsertSpherocylinder;
+struct Spherocylinder;
+struct SpherocylinderOptions;
 
 /// A template of straight or curved spherocylinders for fix insert/*: exact mass properties where
 /// fix particletemplate/multisphere samples them, and a diameter drawn for each particle.
 class FixTemplateSpherocylinder : public FixTemplateMultisphere {
  public:
   FixTemplateSpherocylinder(LAMMPS* lmp, int narg, char** arg);
+  ~FixTemplateSpherocylinder();
 
   void post_create();
   void init();
@@ -43,8 +47,8 @@ class FixTemplateSpherocylinder : public FixTemplateMultisphere {
   const Spherocylinder& particle(double draw);
   void prepare(ParticleToInsertSpherocylinder& insertion, double draw);
 
-  const SpherocylinderOptions options_;
-  Spherocylinder drawn_;
+  const std::unique_ptr<const SpherocylinderOptions> options_;
+  std::unique_ptr<Spherocylinder> drawn_;
 };
 
 }  // namespace LAMMPS_NS
