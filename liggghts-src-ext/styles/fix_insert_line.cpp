@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_insert_line.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "container.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_gravity.h"
+#include "fix_multisphere.h"
+#include "fix_template_multisphere.h"
+#include "fix_template_spherocylinder.h"
+#include "irregular.h"
+#include "modify.h"
+#include "particleToInsert.h"
+#include "random_park.h"
+#include "style_arguments.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+using namespace FixConst;
+
+namespace {
+
+bool is_multisphere(const FixTemplateSphere* particles) {
+  return dynamic_cast<const FixTemplateMultisphere*>(particles) != NULL;
+}
+
+bool any(double) { return true; }
+bool positive(double value) { return value > 0; }
+
+const std::set<std::string> keywords = {"template", "per_line", "x",        "y",     "z",      "total",
+                                        "fall",     "interval", "velocity", "angle", "gravity"};
+
+}  // namespace
+
+FixInsertLine::FixInsertLine(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
+  read_arguments(narg, arg);
+  share_out_total();
+  check_room();
+  irregular_.reset(new Irregular(lmp));
+
+  restart_global = 1;
+  force_reneighbor = 1;
+  next_reneighbor = -1;
+  scalar_flag = vector_flag = 1;
+  size_vector = 4;
+  global_freq = 1;
+}
+
+FixInsertLine::~FixInsertLine() {}
+
+int FixInsertLine::setmask() { return PRE_EXCHANGE; }
+
+void FixInsertLine::read_arguments(int narg, char** arg) {
+  StyleArguments arguments(lmp, narg, arg);
+  const int seed =
+      arguments.integer("seed", "a positive integer", [](long value) { return value > 0; });
+  random_.reset(new RanPark(lmp, prime_seed(seed).c_str(), false));
+
+  std::set<std::string> seen;
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "");
+    if (!keywords.count(keyword)) {
+      std::string all;
+      for (const std::string& known : keywords) all += (all.empty() ? "" : ", ") + known;
+      arguments.fail("unknown keyword '" + keyword + "', expected one of " + all);
+    }
+    if (!seen.insert(keyword).second) arguments.fail("keyword " + keyword + " is given twice");
+    if (keyword == "template") {
+      const char* expected = "the id of a fix particletemplate and its fraction";
+      do {
+        const std::string name = arguments.word(keyword, expected);
+        const int index = modify->find_fix(name.c_str());
+        auto* particles =
+            index < 0 ? NULL : dynamic_cast<FixTemplateSphere*>(modify->fix[index]);
+        if (!particles) arguments.reject(keyword, "the id of a fix particletemplate", name);
+        for (const Source& other : sources_)
+          if (other.particles == particles) arguments.fail("template " + name + " is given twice");
+        sources_.push_back(
+            {particles, arguments.number("template " + name, "a positive fraction", positive), 0, 0});
+      } while (arguments.more() && !keywords.count(arguments.peek()));
+    } else if (keyword == "per_line") {
+      per_line_ = arguments.integer(keyword, "an integer of at least 1", [](long n) { return n >= 1; });
+    } else if (keyword == "total") {
+      total_ = arguments.integer(keyword, "an integer of at least 1", [](long n) { return n >= 1; });
+    } else if (keyword == "x") {
+      x_low_ = arguments.number("x xlo", "a position in m", any);
+      x_high_ = arguments.number("x xhi", "a position in m", any);
+      if (!(x_low_ < x_high_))
+        arguments.reject("x xlo xhi", "two positions with xlo < xhi",
+                         std::to_string(x_low_) + " " + std::to_string(x_high_));
+    } else if (keyword == "y") {
+      y_ = arguments.number(keyword, "a position in m", any);
+    } else if (keyword == "z") {
+      z_ = arguments.number(keyword, "a position in m", any);
+    } else if (keyword == "fall") {
+      fall_ = arguments.number(keyword, "a positive height in m", positive);
+    } else if (keyword == "interval") {
+      interval_ = arguments.number(keyword, "a positive time in s", positive);
+    } else if (keyword == "gravity") {
+      gravity_ = arguments.number(keyword, "a positive acceleration in m/s^2", positive);
+    } else {
+      double& low = keyword == "angle" ? angle_low_ : velocity_low_;
+      double& high = keyword == "angle" ? angle_high_ : velocity_high_;
+      const double unit = keyword == "angle" ? M_PI / 180. : 1.;
+      const char* expected = keyword == "angle" ? "an angle in degrees" : "a velocity in m/s";
+      low = unit * arguments.number(keyword, expected, any);
+      high = unit * arguments.number(keyword, expected, any);
+      if (low > high)
+        arguments.reject(keyword, "two numbers of which the first is not the larger",
+                         std::to_string(low / unit) + " " + std::to_string(high / unit));
+    }
+  }
+  for (const char* needed : {"template", "per_line", "x", "y", "total"})
+    if (!seen.count(needed)) arguments.fail(std::string("keyword ") + needed + " is missing");
+  if (seen.count("fall") == seen.count("interval"))
+    arguments.fail("needs either fall H or interval T");
+  if (domain->dimension != 3)
+    arguments.reject("dimension", "3", std::to_string(domain->dimension));
+  if (domain->triclinic) arguments.fail("does not work with a triclinic box");
+}
+
+/// Numbers of particles of each template, by largest remainders, so that they add up to the total.
+void FixInsertLine::share_out_total() {
+  double weights = 0;
+  for (const Source& source : sources_) weights += source.weight;
+  std::vector<std::pair<double, std::size_t>> remainders;
+  int missing = total_;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const double exact = total_ * sources_[i].weight / weights;
+    sources_[i].total = static_cast<int>(exact);
+    missing -= sources_[i].total;
+    remainders.push_back({sources_[i].total - exact, i});
+  }
+  std::sort(remainders.begin(), remainders.end());
+  for (int i = 0; i < missing; ++i) ++sources_[remainders[i].second].total;
+}
+
+void FixInsertLine::check_room() const {
+  char text[256];
+  const double cell = (x_high_ - x_low_) / per_line_;
+  for (const Source& source : sources_) {
+    const double width = 2. * source.particles->max_r_bound();
+    if (width <= cell * (1. + 1e-9)) continue;
+    std::snprintf(text, sizeof text,
+                  "particles of template %s are %g m wide at some angle and do not fit: per_line %d "
+                  "from x = %g to %g leaves each a cell of %g m",
+                  source.particles->id, width, per_line_, x_low_, x_high_, cell);
+    error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
+  }
+  const double low[3] = {x_low_, y_, z_}, high[3] = {x_high_, y_, z_};
+  for (int d = 0; d < 3; ++d) {
+    const bool below = domain->boundary[d][0] < 2 && low[d] < domain->boxlo[d];
+    const bool above = domain->boundary[d][1] < 2 && high[d] > domain->boxhi[d];
+    if (!below && !above) continue;
+    std::snprintf(text, sizeof text, "%c must lie in the simulation box from %g to %g, got '%g'",
+                  "xyz"[d], domain->boxlo[d], domain->boxhi[d], below ? low[d] : high[d]);
+    error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
+  }
+}
+
+void FixInsertLine::init() {
+  const int bodies = modify->n_fixes_style("multisphere");
+  multisphere_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  for (const Source& source : sources_)
+    if (is_multisphere(source.particles) && bodies != 1) {
+      const std::string message = std::string("template ") + source.particles->id +
+                                  " needs exactly one fix multisphere, got '" +
+                                  std::to_string(bodies) + "'";
+      error->fix_error(FLERR, this, message.c_str());
+    }
+  if (fall_ > 0 && gravity_ == 0 && !modify->find_fix_style("gravity", 0))
+    error->fix_error(FLERR, this, "fall needs a fix gravity or keyword gravity");
+}
+
+// Not in init(), where a fix gravity defined later does not know its direction yet.
+void FixInsertLine::setup(int) {
+  const bigint now = update->ntimestep;
+  if (anchor_step_ < 0) {
+    anchor_step_ = now + 1;
+    time_step_ = update->dt;
+  } else if (time_step_ != update->dt) {
+    anchor_time_ += static_cast<double>(now - anchor_step_) * time_step_;
+    anchor_step_ = now;
+    time_step_ = update->dt;
+  }
+  if (line_interval() < time_step_)
+    error->fix_error(FLERR, this, "the time between two lines must be at least one time step");
+  next_reneighbor = inserted_ < total_ ? std::max(now + 1, line_step(lines_)) : -1;
+}
+
+double FixInsertLine::line_interval() const {
+  if (interval_ > 0) return interval_;
+  double downward = gravity_;
+  if (downward == 0) {
+    double gravity[3];
+    static_cast<FixGravity*>(modify->find_fix_style("gravity", 0))->get_gravity(gravity);
+    downward = -gravity[1];
+  }
+  if (!(downward > 0))
+    error->fix_error(FLERR, const_cast<FixInsertLine*>(this), "fall needs gravity along -y");
+  return std::sqrt(2. * fall_ / downward);
+}
+
+bigint FixInsertLine::line_step(int line) const {
+  return anchor_step_ + std::llround((line * line_interval() - anchor_time_) / time_step_);
+}
+
+void FixInsertLine::pre_exchange() {
+  const bigint now = update->ntimestep;
+  if (next_reneighbor != now || last_line_step_ == now) return;
+  std::vector<Place> line = draw_line();
+  const std::vector<Sphere> spheres = spheres_of(line);
+  check_overlaps(line, spheres);
+  create(line, spheres);
+
+  for (const Place& place : line) ++place.source->inserted;
+  inserted_ += static_cast<int>(line.size());
+  ++lines_;
+  last_line_step_ = now;
+  next_reneighbor = inserted_ < total_ ? line_step(lines_) : -1;
+}
+
+std::vector<FixInsertLine::Place> FixInsertLine::draw_line() {
+  const int n = std::min(per_line_, total_ - inserted_);
+  const double cell = (x_high_ - x_low_) / n;
+  std::vector<int> left;
+  for (const Source& source : sources_) left.push_back(std::max(0, source.total - source.inserted));
+
+  std::vector<Place> line;
+  for (int i = 0; i < n; ++i) {
+    // drawn without putting back, so that the fractions are met exactly at the end
+    int sum = 0;
+    for (int number : left) sum += number;
+    double choice = random_->uniform() * sum;
+    std::size_t s = 0;
+    while (s + 1 < left.size() && choice >= left[s]) choice -= left[s++];
+    --left[s];
+    Place place;
+    place.source = &sources_[s];
+    place.size = random_->uniform();
+    place.angle = angle_low_ + (angle_high_ - angle_low_) * random_->uniform();
+    place.velocity = velocity_low_ + (velocity_high_ - velocity_low_) * random_->uniform();
+    place.x = x_low_ + (i + 0.5) * cell;
+    const double centre[3] = {place.x, y_, z_};
+    place.mine = mine(centre);
+    place.first_sphere = 0;
+    line.push_back(place);
+  }
+  return line;
+}
+
+/// Half-open sub-domains, those at the edge of the box open outwards: exactly one rank owns a point,
+/// also one outside a shrink-wrapped box.
+bool FixInsertLine::mine(const double* x) const {
+  for (int d = 0; d < 3; ++d) {
+    if (x[d] < domain->sublo[d] && comm->myloc[d] > 0) return false;
+    if (x[d] >= domain->subhi[d] && comm->myloc[d] < comm->procgrid[d] - 1) return false;
+  }
+  return true;
+}
+
+/// Makes the template's `pti` this particle.
+void FixInsertLine::prepare(const Place& place) const {
+  FixTemplateSphere& particles = *place.source->particles;
+  if (auto* rods = dynamic_cast<FixTemplateSpherocylinder*>(&particles))
+    rods->prepare_single(place.size);
+  else
+    particles.randomize_single();  // the public version's templates are of one size
+  double x[3] = {place.x, y_, z_}, v[3] = {place.velocity, 0., 0.}, omega[3] = {0., 0., 0.};
+  double quat[4] = {std::cos(0.5 * place.angle), 0., 0., std::sin(0.5 * place.angle)};
+  particles.pti->set_x_v_omega(x, v, omega, quat);
+  particles.pti->groupbit |= groupbit;
+}
+
+std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Place>& line) const {
+  std::vector<Sphere> spheres;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    prepare(line[i]);
+    line[i].first_sphere = static_cast<int>(spheres.size());
+    const ParticleToInsert& particle = *line[i].source->particles->pti;
+    for (int j = 0; j < particle.nparticles; ++j) {
+      const double* x = particle.x_ins[j];
+      spheres.push_back({{x[0], x[1], x[2]}, particle.radius_ins[j], static_cast<int>(i)});
+    }
+  }
+  return spheres;
+}
+
+void FixInsertLine::check_overlaps(const std::vector<Place>& line,
+                                   const std::vector<Sphere>& spheres) const {
+  struct {
+    double depth;
+    int rank;
+  } worst = {0., comm->me}, all;
+  int found[2] = {-1, 0};  // place, tag of the sphere in its way (0: another place of the line)
+  const auto look = [&](const Sphere& sphere, const double* x, double radius, int tag) {
+    double dx = x[0] - sphere.x[0], dy = x[1] - sphere.x[1], dz = x[2] - sphere.x[2];
+    domain->minimum_image(dx, dy, dz);
+    const double reach = sphere.radius + radius;
+    const double depth = reach - std::sqrt(dx * dx + dy * dy + dz * dz);
+    if (depth <= 1e-9 * reach || depth <= worst.depth) return;  // touching is no overlap
+    worst.depth = depth;
+    found[0] = sphere.place;
+    found[1] = tag;
+  };
+  double highest = y_, lowest = y_;
+  for (const Sphere& sphere : spheres) {
+    highest = std::max(highest, sphere.x[1] + sphere.radius);
+    lowest = std::min(lowest, sphere.x[1] - sphere.radius);
+  }
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double y = atom->x[i][1], radius = atom->radius[i];
+    if (!domain->yperiodic && (y - radius > highest || y + radius < lowest)) continue;
+    for (const Sphere& sphere : spheres) look(sphere, atom->x[i], radius, atom->tag[i]);
+  }
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    for (std::size_t j = i + 1; j < spheres.size(); ++j)
+      if (spheres[i].place != spheres[j].place)
+        look(spheres[i], spheres[j].x, spheres[j].radius, 0);
+
+  MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  if (all.depth <= 0) return;
+  MPI_Bcast(found, 2, MPI_INT, all.rank, world);
+  char text[320];
+  const std::string other = found[1] ? "sphere " + std::to_string(found[1]) : "another one of it";
+  std::snprintf(text, sizeof text,
+                "line %d at step %ld: its particle at x = %g, y = %g would overlap %s by %g m; let "
+                "more time or height pass between lines, or put fewer particles on them",
+                lines_ + 1, static_cast<long>(update->ntimestep), line[found[0]].x, y_,
+                other.c_str(), all.depth);
+  error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
+}
+
+void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sphere>& spheres) {
+  for (int i = 0; i < modify->nfix; ++i)
+    if (modify->fix[i]->create_attribute) modify->fix[i]->pre_set_arrays();
+
+  // Ids are given out here, along the line: LIGGGHTS's own depend on the ranks.
+  const int last_sphere = atom->tag_max();
+  int body = multisphere_ ? multisphere_->tag_max_body() : 0;
+  FixTemplateSphere* bodies_from = NULL;
+  for (const Place& place : line) {
+    prepare(place);
+    ParticleToInsert& particle = *place.source->particles->pti;
+    mass_inserted_ += particle.mass_ins;
+    const bool is_body = is_multisphere(place.source->particles);
+    if (is_body) {
+      bodies_from = place.source->particles;
+      ++body;
+    }
+    if (!place.mine) continue;
+    const int first = atom->nlocal;
+    particle.insert();
+    for (int i = first; i < atom->nlocal; ++i)
+      atom->tag[i] = last_sphere + place.first_sphere + 1 + (i - first);
+    if (!is_body) continue;
+    Multisphere& data = multisphere_->data();
+    data.prop().getElementProperty<ScalarContainer<int>>("id_multisphere")->set(data.n_body() - 1,
+                                                                               body);
+    int length, width;
+    int* body_of = static_cast<int*>(multisphere_->extract("body", length, width));
+    for (int i = first; i < atom->nlocal; ++i) body_of[i] = body;
+  }
+  atom->natoms += static_cast<bigint>(spheres.size());
+  if (atom->map_style) {
+    atom->nghost = 0;
+    atom->map_init();
+    atom->map_set();
+  }
+  if (bodies_from) bodies_from->finalize_insertion();
+  if (irregular_->migrate_check()) irregular_->migrate_atoms();
+}
+
+void FixInsertLine::reset_timestep(bigint new_step, bigint old_step) {
+  if (anchor_step_ >= 0) anchor_step_ += new_step - old_step;
+  if (last_line_step_ >= 0) last_line_step_ += new_step - old_step;
+}
+
+void FixInsertLine::write_restart(FILE* file) {
+  if (comm->me != 0) return;
+  std::vector<double> state = {static_cast<double>(sources_.size()),
+                               static_cast<double>(random_->state()),
+                               static_cast<double>(lines_),
+                               static_cast<double>(inserted_),
+                               mass_inserted_,
+                               static_cast<double>(anchor_step_),
+                               static_cast<double>(last_line_step_),
+                               anchor_time_,
+                               time_step_};
+  for (const Source& source : sources_) state.push_back(source.inserted);
+  const int size = static_cast<int>(state.size() * sizeof(double));
+  std::fwrite(&size, sizeof size, 1, file);
+  std::fwrite(state.data(), sizeof(double), state.size(), file);
+}
+
+void FixInsertLine::restart(char* buffer) {
+  const double* state = reinterpret_cast<const double*>(buffer);
+  if (static_cast<std::size_t>(state[0]) != sources_.size()) {
+    const std::string message = "template must name as many templates as the run that wrote the "
+                                "restart file, " + std::to_string(static_cast<int>(state[0])) +
+                                ", got '" + std::to_string(sources_.size()) + "'";
+    error->fix_error(FLERR, this, message.c_str());
+  }
+  random_->reset(static_cast<int>(state[1]));
+  lines_ = static_cast<int>(state[2]);
+  inserted_ = static_cast<int>(state[3]);
+  mass_inserted_ = state[4];
+  anchor_step_ = static_cast<bigint>(state[5]);
+  last_line_step_ = static_cast<bigint>(state[6]);
+  anchor_time_ = state[7];
+  time_step_ = state[8];
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    sources_[i].inserted = static_cast<int>(state[9 + i]);
+}
+
+int FixInsertLine::min_type() {
+  int type = atom->ntypes;
+  for (const Source& source : sources_) type = std::min(type, source.particles->mintype());
+  return type;
+}
+
+int FixInsertLine::max_type() {
+  int type = 0;
+  for (const Source& source : sources_) type = std::max(type, source.particles->maxtype());
+  return type;
+}
+
+double FixInsertLine::min_rad(int type) {
+  double radius = 0;
+  for (const Source& source : sources_) {
+    FixTemplateSphere& t = *source.particles;
+    if (type < t.mintype() || type > t.maxtype()) continue;
+    radius = radius > 0 ? std::min(radius, t.min_rad()) : t.min_rad();
+  }
+  return radius;
+}
+
+double FixInsertLine::max_rad(int type) {
+  double radius = 0;
+  for (const Source& source : sources_) {
+    FixTemplateSphere& t = *source.particles;
+    if (type >= t.mintype() && type <= t.maxtype()) radius = std::max(radius, t.max_rad());
+  }
+  return radius;
+}
+
+// A rank that owns a body must see all of its spheres.
+double FixInsertLine::extend_cut_ghost() {
+  double reach = 0;
+  for (const Source& source : sources_)
+    if (is_multisphere(source.particles))
+      reach = std::max(reach, 2. * source.particles->max_r_bound());
+  return reach;
+}
+
+double FixInsertLine::compute_vector(int index) {
+  if (index == 0) return inserted_;
+  if (index == 1) return lines_;
+  if (index == 2) return last_line_step_ < 0 ? -1. : last_line_step_ * update->dt;
+  return mass_inserted_;
+}
+
+}  // namespace LAMMPS_NS

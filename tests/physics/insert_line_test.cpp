@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "liggghts_run.h"
+
+namespace {
+
+using namespace rodpack::test;
+
+using Vars = std::map<std::string, std::string>;
+
+const char* deck = "verification/lines/in.lines";
+
+/// Rows of the thermo table in the order of the columns: step, ...
+std::vector<std::vector<double>> thermo_rows(const std::string& output) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(output);
+  std::string line;
+  bool inside = false;
+  while (std::getline(lines, line)) {
+    if (line.find("Step") == 0) {
+      inside = true;
+      continue;
+    }
+    if (!inside) continue;
+    std::istringstream words(line);
+    std::vector<double> row;
+    double value;
+    while (words >> value) row.push_back(value);
+    if (row.size() < 3) {
+      inside = false;
+      continue;
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Steps at which the number inserted (third column) rises, with the number after it.
+std::map<long, int> insertions(const std::string& output) {
+  std::map<long, int> steps;
+  int before = 0;
+  for (const auto& row : thermo_rows(output)) {
+    const int now = static_cast<int>(row[2]);
+    if (now > before) steps[static_cast<long>(row[0])] = now;
+    before = std::max(before, now);
+  }
+  return steps;
+}
+
+void expect_same(const Table& a, const Table& b, double tolerance) {
+  ASSERT_EQ(a.rows(), b.rows());
+  for (const std::string& name : a.names())
+    for (std::size_t i = 0; i < a.rows(); ++i)
+      EXPECT_NEAR(a.column(name)[i], b.column(name)[i], tolerance) << name << " of row " << i;
+}
+
+TEST(InsertLine, LinesStartAtTheStepNearestToTheirTime) {
+  // dt = 1e-4 s: sqrt(2 0.021 / 9.81) s = 654.324 steps between lines. First line at step 1, line k
+  // at 1 + round(654.324 k): no error builds up over the lines.
+  const auto run = run_liggghts(deck, {{"dt", "1e-4"}, {"steps", "3300"}, {"every", "1"},
+                                       {"per_line", "2"}, {"total", "11"}, {"rod",
+                                       "aspect_ratio 1 diameter 0.001 surface coarse"}});
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const std::map<long, int> expected = {{1, 2}, {655, 4}, {1310, 6}, {1964, 8}, {2618, 10},
+                                        {3273, 11}};
+  EXPECT_EQ(insertions(run.output), expected);
+}
+
+TEST(InsertLine, IntervalIsATimeWhateverTheTimeStep) {
+  for (const auto& [dt, step] : std::map<std::string, long>{{"1e-4", 201}, {"3e-5", 668}}) {
+    // second line 0.02 s after the first at step 1: 200 steps, or 666.67, rounded to 667
+    const auto run =
+        run_liggghts(deck, {{"dt", dt}, {"start", "interval 0.02"}, {"steps", "700"},
+                            {"every", "1"}, {"per_line", "3"}, {"total", "6"},
+                            {"rod", "aspect_ratio 1 diameter 0.001 surface coarse"}});
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(insertions(run.output), (std::map<long, int>{{1, 3}, {step, 6}}));
+  }
+}
+
+TEST(InsertLine, RodsStandInTheirCellsAtRandomAnglesWithinTheBounds) {
+  const auto run = run_liggghts(deck, {{"steps", "1"}, {"every", "1"}});
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const Table spheres = read_dump(run.folder / "spheres.dump");
+  // 6 rods of 2 * 5 - 1 = 9 spheres in cells of 0.12 / 6 = 0.02 m. After its first step a rod has
+  // moved by at most dt (0.025 + g dt) = 2.6e-7 m.
+  ASSERT_EQ(spheres.rows(), 54u);
+  std::set<double> angles;
+  for (int rod = 0; rod < 6; ++rod) {
+    const std::size_t first = 9 * rod, middle = first + 4, last = first + 8;
+    const auto& x = spheres.column("x");
+    const auto& y = spheres.column("y");
+    EXPECT_NEAR(x[middle], 0.02 * (rod + 0.5), 3e-7);
+    EXPECT_NEAR(y[middle], 0.1, 3e-7);
+    EXPECT_EQ(spheres.column("mol")[first], rod + 1);
+    // end centres l_axial - d = 0.012 m apart
+    EXPECT_NEAR(std::hypot(x[last] - x[first], y[last] - y[first]), 0.012, 1e-12);
+    angles.insert(std::atan2(y[last] - y[first], x[last] - x[first]));
+    EXPECT_LE(std::abs(spheres.column("vx")[middle]), 0.025);
+    EXPECT_NEAR(spheres.column("vy")[middle], 0, 2e-4);
+    for (std::size_t i = first; i <= last; ++i) {
+      EXPECT_EQ(spheres.column("z")[i], 0);
+      EXPECT_GT(x[i], 0.0015);
+      EXPECT_LT(x[i], 0.12 - 0.0015);
+    }
+  }
+  EXPECT_EQ(angles.size(), 6u);
+}
+
+TEST(InsertLine, SeedDecidesPrimeOrNot) {
+  const auto positions = [](const std::string& seed) {
+    const auto run = run_liggghts(deck, {{"seed", seed}, {"steps", "1"}, {"every", "1"}});
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return read_dump(run.folder / "spheres.dump").column("y");
+  };
+  const auto one = positions("1"), again = positions("1"), two = positions("2"),
+             prime = positions("15485863");
+  EXPECT_EQ(one, again);
+  EXPECT_NE(one, two);
+  EXPECT_NE(one, prime);
+}
+
+TEST(InsertLine, TotalNumberAndFractionsAreMetExactly) {
+  // 0.5 : 0.3 : 0.2 of 17 particles = 8.5, 5.1, 3.4: by largest remainders 9, 5, 3. Lines of 5, the
+  // last one of 2. Under 5000 m/s^2 a line falls 10 mm in 2 ms, its particles are up to 6 mm long.
+  const auto run = run_liggghts(R"(
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f p
+newton off
+communicate single vel yes
+units si
+region box block 0 0.1 0 0.2 -0.005 0.005 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+fix e all property/global youngsModulus peratomtype 1e6
+fix p all property/global poissonsRatio peratomtype 0.3
+fix r all property/global coefficientRestitution peratomtypepair 1 0.5
+fix c all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-5
+fix a all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 3 diameter 0.002 surface smooth density 2500
+fix b all particletemplate/multisphere/spherocylinder 8 type 2 aspect_ratio 2 diameter 0.002 surface coarse density 2500
+group balls type 1
+fix s balls particletemplate/sphere 15485867 atom_type 1 density constant 2500 radius constant 0.002
+fix lines all insert/line 12 template a 0.5 b 0.3 s 0.2 per_line 5 x 0 0.1 y 0.19 z 0 total 17 interval 2e-3
+fix bodies all multisphere
+fix fall all gravity 5000 vector 0 -1 0
+fix move balls nve/sphere
+dump d all custom 700 spheres.dump id mol type x y z radius
+thermo 700
+run 700
+)");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const Table spheres = read_dump(run.folder / "spheres.dump");
+  std::map<double, int> bodies;
+  int plain = 0;
+  for (double body : spheres.column("mol")) body < 0 ? ++plain : ++bodies[body];
+  std::map<int, int> sizes;
+  for (const auto& [body, number] : bodies) ++sizes[number];
+  EXPECT_EQ(sizes, (std::map<int, int>{{5, 9}, {2, 5}}));
+  EXPECT_EQ(plain, 3);
+}
+
+TEST(InsertLine, OneAndTwoRanksInsertTheSameBodies) {
+  // per_line 5: the middle rod stands exactly on the border between the two sub-domains
+  const Vars vars = {{"per_line", "5"}, {"total", "15"}, {"steps", "14000"}, {"every", "14000"},
+                     {"rod", "aspect_ratio 5 diameter 0.003 surface smooth size_spread 0.05"}};
+  const auto one = run_liggghts(deck, vars, 1), two = run_liggghts(deck, vars, 2);
+  ASSERT_EQ(one.exit_code, 0) << one.output;
+  ASSERT_EQ(two.exit_code, 0) << two.output;
+  const Table a = read_dump(one.folder / "spheres.dump"), b = read_dump(two.folder / "spheres.dump");
+  EXPECT_EQ(a.rows(), 135u);
+  // free fall, 0.14 s: only rounding differs
+  expect_same(a, b, 1e-10);
+}
+
+TEST(InsertLine, RestartBetweenTwoLinesGoesOnAsIfUninterrupted) {
+  const Vars vars = {{"steps", "22000"}, {"every", "11000"},
+                     {"rod", "aspect_ratio 5 diameter 0.003 surface smooth size_spread 0.05"}};
+  const auto whole = run_liggghts(deck, vars);
+  ASSERT_EQ(whole.exit_code, 0) << whole.output;
+  Vars rest = vars;
+  rest["from"] = (whole.folder / "lines.11000.restart").string();
+  const auto second = run_liggghts(deck, rest);
+  ASSERT_EQ(second.exit_code, 0) << second.output;
+  const Table a = read_dump(whole.folder / "spheres.dump");
+  const Table b = read_dump(second.folder / "spheres.dump");
+  EXPECT_EQ(a.rows(), 216u);  // all four lines, two of them inserted after the restart
+  // The first line has hit the floor (fall of 0.1 m takes 0.143 s = step 14280).
+  expect_same(a, b, 1e-12);
+}
+
+TEST(InsertLine, StopsWhereALineWouldOverlapTheLastOne) {
+  // After 0.01 s the first line has fallen 0.5 mm only: rods 15 mm long are still in the way.
+  const auto run = run_liggghts(deck, {{"start", "interval 0.01"}});
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("line 2 at step 1001: its particle at x ="), std::string::npos)
+      << run.output;
+  EXPECT_NE(run.output.find("would overlap sphere"), std::string::npos);
+}
+
+TEST(InsertLine, StopsOnRanksAlikeWhereALineWouldOverlapTheLastOne) {
+  const auto run = run_liggghts(deck, {{"start", "interval 0.01"}}, 2);
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("would overlap sphere"), std::string::npos) << run.output;
+}
+
+TEST(InsertLine, RefusesParticlesThatDoNotFitTheirCell) {
+  const auto run = run_liggghts(deck, {{"per_line", "9"}});  // cells of 13.3 mm, rods of 15 mm
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("particles of template rods are 0.015 m wide"), std::string::npos)
+      << run.output;
+}
+
+}  // namespace

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "liggghts_run.h"
+
+namespace {
+
+using namespace rodpack::test;
+
+const char* deck = "verification/planar/in.planar";
+
+TEST(Planar, RodsStockBodiesAndSpheresNeverLeaveThePlaneByASingleBit) {
+  const auto run = run_liggghts(deck);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  for (int frame = 0; frame <= 5; ++frame) {
+    const Table spheres = read_dump(run.folder / "spheres.dump", frame);
+    for (const char* name : {"z", "vz", "omegax", "omegay", "fz"})
+      for (double value : spheres.column(name)) ASSERT_EQ(value, 0.) << name << " frame " << frame;
+  }
+  const Table spheres = read_dump(run.folder / "spheres.dump");
+  // 12 rods of 5 spheres, 6 stock bodies of 3, 6 plain spheres: all there, and they have moved
+  EXPECT_EQ(spheres.rows(), 84u);
+  double fastest = 0;
+  for (double omega : spheres.column("omegaz")) fastest = std::max(fastest, std::abs(omega));
+  EXPECT_GT(fastest, 1e-6);
+}
+
+TEST(Planar, StaysPlanarOnTwoRanks) {
+  const auto run = run_liggghts(deck, {{"steps", "30000"}, {"every", "10000"}}, 2);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const Table spheres = read_dump(run.folder / "spheres.dump");
+  EXPECT_EQ(spheres.rows(), 84u);
+  for (const char* name : {"z", "vz", "omegax", "omegay", "fz"})
+    for (double value : spheres.column(name)) ASSERT_EQ(value, 0.) << name;
+}
+
+TEST(Planar, WithoutTheFixTheSameSceneLeavesThePlane) {
+  // Guards the test above against a scene in which nothing pulls out of the plane.
+  const auto run = run_liggghts(
+      deck, {{"steps", "3000"}, {"every", "3000"}, {"enforce", "property/atom dummy scalar no no no 0"}});
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  // plain spheres under g_z = 10 * 0.2 / sqrt(0.3^2 + 1 + 0.2^2) = 1.8814 m/s^2 for 0.03 s
+  const Table spheres = read_dump(run.folder / "spheres.dump");
+  double largest = 0;
+  for (double z : spheres.column("z")) largest = std::max(largest, z);
+  EXPECT_GT(largest, 1e-4);
+}
+
+TEST(Planar, RefusesABodyThatLiesAcrossThePlane) {
+  const auto run = run_liggghts(R"(
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+units si
+region box block 0 0.1 0 0.1 -0.05 0.05 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+fix e all property/global youngsModulus peratomtype 1e6
+fix p all property/global poissonsRatio peratomtype 0.3
+fix r all property/global coefficientRestitution peratomtypepair 1 0.5
+fix c all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-5
+fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
+fix mix all particledistribution/discrete 32452843 1 rods 1
+fix pack all insert/pack seed 32452867 distributiontemplate mix insert_every once overlapcheck yes orientation random all_in yes particles_in_region 5 region box
+fix bodies all multisphere
+fix plane all enforce2d/multisphere
+run 10
+)");
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("off the plane z = 0"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("particles must be put into the plane"), std::string::npos);
+}
+
+/// A minimal scene around the line under test.
+std::string scene(const std::string& boundary, const std::string& lines) {
+  return "atom_style granular\natom_modify map array\nboundary " + boundary +
+         "\nnewton off\ncommunicate single vel yes\nunits si\n"
+         "region box block 0 0.1 0 0.1 -0.001 0.001 units box\ncreate_box 1 box\n"
+         "neighbor 0.001 bin\nneigh_modify delay 0\n"
+         "fix e all property/global youngsModulus peratomtype 1e6\n"
+         "fix p all property/global poissonsRatio peratomtype 0.3\n"
+         "fix r all property/global coefficientRestitution peratomtypepair 1 0.5\n"
+         "fix c all property/global coefficientFriction peratomtypepair 1 0.3\n"
+         "pair_style gran model hertz tangential history\npair_coeff * *\ntimestep 1e-5\n" +
+         lines + "\nrun 1\n";
+}
+
+void expect_error(const std::string& deck_text, const std::string& message) {
+  const auto run = run_liggghts(deck_text);
+  EXPECT_NE(run.exit_code, 0) << deck_text;
+  EXPECT_NE(run.output.find(message), std::string::npos) << message << "\n" << run.output;
+}
+
+const std::string rods =
+    "fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter "
+    "0.003 surface smooth density 2500 planar yes\n"
+    "fix lines all insert/line 1 template rods 1 per_line 2 x 0 0.1 y 0.05 z 0 total 2 interval 1\n";
+
+TEST(Planar, RefusesWrongInput) {
+  expect_error(scene("f f f", "fix plane all enforce2d/multisphere height 0"),
+               "Fix enforce2d/multisphere (id plane): unknown keyword 'height', expected plane");
+  expect_error(scene("f f f", "fix plane all enforce2d/multisphere plane"),
+               "value of plane is missing");
+  expect_error(scene("f f f", "fix plane all enforce2d/multisphere plane low"),
+               "plane must be a position along z in m, got 'low'");
+  expect_error(scene("f f f", "fix plane all enforce2d/multisphere plane 1"),
+               "plane must lie in the simulation box, got '1.0");
+  expect_error(scene("f f f", rods + "fix plane all enforce2d/multisphere\nfix b all multisphere"),
+               "must be defined after fix multisphere (id b)");
+  expect_error(scene("f f f", "fix plane all enforce2d/multisphere\nfix m all nve/sphere"),
+               "must be defined after fix nve/sphere (id m)");
+  expect_error(
+      scene("f f p", rods + "fix b all multisphere\nfix plane all enforce2d/multisphere"),
+      "periodic z needs a box thicker than the thickest particle, 0.003000 m, got '0.002000'");
+}
+
+TEST(Planar, RefusesTwoDimensions) {
+  expect_error("dimension 2\n" + scene("f f p", "fix plane all enforce2d/multisphere"),
+               "dimension must be 3");
+}
+
+}  // namespace
