@@ -22,6 +22,7 @@ boundary f f f
 newton off
 communicate single vel yes
 units si
+soft_particles yes
 region box block 0 0.4 0 0.4 -0.05 0.05 units box
 create_box 2 box
 neighbor 0.001 bin
@@ -46,7 +47,7 @@ const std::string style = "particletemplate/multisphere/spherocylinder";
 
 std::string rods(const std::string& arguments, const std::string& id = "rods",
                  const std::string& type = "1") {
-  return "fix " + id + " all " + style + " 11 type " + type + " " + arguments + "\n";
+  return "fix " + id + " all " + style + " 1" + type + " type " + type + " " + arguments + "\n";
 }
 
 std::string one_line(int number, const std::string& names = "rods 1") {
@@ -276,7 +277,7 @@ TEST(SpherocylinderTemplate, RefusesWrongInput) {
   };
   for (const auto& [arguments, message] : cases) {
     const auto run =
-        run_liggghts(scene("fix rods all " + style + " " + arguments, "", ""));
+        run_liggghts(scene("fix rods all " + style + " " + arguments, one_line(2)));
     EXPECT_NE(run.exit_code, 0) << arguments;
     EXPECT_NE(run.output.find(style + " (id rods): "), std::string::npos) << arguments;
     EXPECT_NE(run.output.find(message), std::string::npos) << message << "\n" << run.output;
