@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_multisphere_ab.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "comm.h"
+#include "error.h"
+#include "math_extra.h"
+#include "modify.h"
+#include "mpi_liggghts.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using rodpack::PlanarMotion;
+using rodpack::PlanarRates;
+using rodpack::SpatialMotion;
+using rodpack::SpatialRates;
+
+namespace {
+
+template <class Container>
+Container& property(Multisphere& bodies, const char* name) {
+  return *bodies.prop().getElementProperty<Container>(name);
+}
+
+}  // namespace
+
+FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
+    : FixMultisphere(lmp, narg, arg),
+      options_(lmp, this),
+      mass_(property<ScalarContainer<double> >(multisphere_, "masstotal")),
+      xcm_(property<Vectors>(multisphere_, "xcm")),
+      vcm_(property<Vectors>(multisphere_, "vcm")),
+      fcm_(property<Vectors>(multisphere_, "fcm")),
+      torque_(property<Vectors>(multisphere_, "torque")),
+      angmom_(property<Vectors>(multisphere_, "angmom")),
+      omega_(property<Vectors>(multisphere_, "omega")),
+      inertia_(property<Vectors>(multisphere_, "inertia")),
+      ex_(property<Vectors>(multisphere_, "ex_space")),
+      ey_(property<Vectors>(multisphere_, "ey_space")),
+      ez_(property<Vectors>(multisphere_, "ez_space")),
+      quat_(property<VectorContainer<double, 4> >(multisphere_, "quat")),
+      fflag_(property<VectorContainer<bool, 3> >(multisphere_, "fflag")),
+      tflag_(property<VectorContainer<bool, 3> >(multisphere_, "tflag")) {
+  if (modify->n_fixes_style("multisphere") > 0)
+    ms_error(FLERR, "only one fix multisphere can hold the bodies, and there is one already");
+  parse(narg, arg);
+  order_ = options_.order();
+  planar_ = options_.planar();
+
+  // bodies of the built-in fix can be taken over from its restart files
+  delete[] accepts_restart_data_from_style;
+  accepts_restart_data_from_style = new char[sizeof("multisphere")];
+  strcpy(accepts_restart_data_from_style, "multisphere");
+
+  add_history();
+}
+
+void FixMultisphereAB::parse(int narg, char** arg) {
+  // The base class reads its own keywords only up to the first one of ours, hence all of them here.
+  for (int iarg = 3; iarg < narg;) {
+    if (const int taken = options_.read(iarg, narg, arg)) {
+      iarg += taken;
+    } else if (strcmp(arg[iarg], "allow_group_and_set") == 0) {
+      allow_group_and_set_ = options_.yes_or_no(iarg, narg, arg);
+      iarg += 2;
+    } else if (strcmp(arg[iarg], "allow_heatsource") == 0) {
+      allow_heatsource_ = options_.yes_or_no(iarg, narg, arg);
+      iarg += 2;
+    } else {
+      const std::string text = std::string("unknown keyword '") + arg[iarg] +
+                               "'; expected order, planar, allow_group_and_set or allow_heatsource";
+      ms_error(FLERR, text.c_str());
+    }
+  }
+}
+
+void FixMultisphereAB::init() {
+  FixMultisphere::init();
+  if (modify->n_fixes_style("multisphere") > 1)
+    ms_error(FLERR, "only one fix multisphere can hold the bodies, but there are more");
+  if (modify->n_fixes_style("insert/stream") > 0)
+    ms_error(FLERR, "fix insert/stream, which moves bodies by itself at first, is not supported");
+  if (options_.planar() != planar_)
+    ms_error(FLERR,
+             "with 'planar auto' a fix enforce2d has to be defined before this fix and to stay; "
+             "define it earlier or give 'planar yes' or 'planar no'");
+  restart_history_after_new_timestep();
+}
+
+void FixMultisphereAB::reset_dt() {
+  dtv = update->dt;
+  restart_history_after_new_timestep();
+}
+
+void* FixMultisphereAB::extract(const char* name, int& dimension) {
+  dimension = 0;
+  return strcmp(name, "multistep_order") == 0 ? &order_ : NULL;
+}
+
+/// Completes `history`, whose newest entry is set, with the past of the body, and keeps what the next
+/// step needs of it. A body at birth has no past: `fill_before_birth` makes one up.
+template <class Rates, class Birth>
+void FixMultisphereAB::update_history(const std::vector<PastRates<Rates>*>& past, int body,
+                                      Rates* history, Birth fill_before_birth) {
+  const int known = evaluations_->get(body);
+  if (known == 0) {
+    fill_before_birth(history);
+    timestep_->set(body, update->dt);
+  } else {
+    for (int k = 0; k < order_ - 1; ++k) memcpy(&history[k], (*past[k])(body), sizeof(Rates));
+  }
+  for (int k = 0; k < order_ - 1; ++k) memcpy((*past[k])(body), &history[k + 1], sizeof(Rates));
+  evaluations_->set(body, std::min(known, order_) + 1);
+}
+
+void FixMultisphereAB::initial_integrate(int) {
+  for (int body = 0; body < n_body(); ++body) {
+    if (planar_)
+      advance_planar(body);
+    else
+      advance_spatial(body);
+  }
+
+  // The constraint virial that set_xv can tally is defined for the half steps of velocity Verlet.
+  evflag = 0;
+  set_xv();
+  rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
+  reverse_comm();
+}
+
+void FixMultisphereAB::final_integrate() {
+  // Velocities are those of this time already, on ghosts too: only the forces are missing.
+  calc_force(false);
+}
+
+double FixMultisphereAB::moment_about_z(int body) const {
+  const double* inertia = inertia_(body);
+  const double cosine[3] = {ex_(body)[2], ey_(body)[2], ez_(body)[2]};
+  double moment = 0.0;
+  for (int d = 0; d < 3; ++d) moment += inertia[d] * cosine[d] * cosine[d];
+  return moment;
+}
+
+void FixMultisphereAB::advance_planar(int body) {
+  if (evaluations_->get(body) == 0) require_planar(body);
+
+  double *x = xcm_(body), *v = vcm_(body), *q = quat_(body);
+  const double *force = fcm_(body), mass = mass_(body), moment = moment_about_z(body);
+  const bool* force_on = fflag_(body);
+  PlanarMotion motion = {{x[0], x[1]}, {v[0], v[1]}, omega_(body)[2], {q[0], q[1], q[2], q[3]}};
+
+  PlanarRates history[rodpack::max_multistep_order];
+  PlanarRates& now = history[order_ - 1];
+  for (int d = 0; d < 2; ++d) {
+    now.velocity[d] = v[d];
+    now.acceleration[d] = force_on[d] ? force[d] / mass : 0.0;
+  }
+  now.angular_velocity = motion.angular_velocity;
+  now.angular_acceleration = tflag_(body)[2] ? torque_(body)[2] / moment : 0.0;
+
+  update_history(past_planar_, body, history, [&](PlanarRates* h) {
+    rodpack::fill_kinematic_history(h, order_, update->dt);
+  });
+  rodpack::advance(motion, history, order_, evaluations_->get(body), update->dt);
+
+  for (int d = 0; d < 2; ++d) {
+    x[d] = motion.position[d];
+    v[d] = motion.velocity[d];
+  }
+  std::copy(motion.quaternion, motion.quaternion + 4, q);
+  omega_(body)[2] = motion.angular_velocity;
+  angmom_(body)[2] = moment * motion.angular_velocity;
+
+  // A rotation about z leaves the z components of the axes alone; recomputed ones would scatter by a
+  // rounding error and move spheres out of their plane.
+  double* axes[3] = {ex_(body), ey_(body), ez_(body)};
+  const double z[3] = {axes[0][2], axes[1][2], axes[2][2]};
+  MathExtra::q_to_exyz(q, axes[0], axes[1], axes[2]);
+  for (int d = 0; d < 3; ++d) axes[d][2] = z[d];
+}
+
+void FixMultisphereAB::advance_spatial(int body) {
+  if (evaluations_->get(body) == 0) require_inertia(body);
+
+  double *x = xcm_(body), *v = vcm_(body), *l = angmom_(body), *q = quat_(body);
+  const double *force = fcm_(body), *torque = torque_(body), mass = mass_(body);
+  const bool *force_on = fflag_(body), *torque_on = tflag_(body);
+  double inertia[3];
+  std::copy(inertia_(body), inertia_(body) + 3, inertia);
+  SpatialMotion motion = {
+      {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {l[0], l[1], l[2]}, {q[0], q[1], q[2], q[3]}};
+
+  SpatialRates history[rodpack::max_multistep_order];
+  SpatialRates& now = history[order_ - 1];
+  for (int d = 0; d < 3; ++d) {
+    now.velocity[d] = v[d];
+    now.acceleration[d] = force_on[d] ? force[d] / mass : 0.0;
+    now.torque[d] = torque_on[d] ? torque[d] : 0.0;
+  }
+  rodpack::quaternion_rate(motion.quaternion, motion.angular_momentum, inertia,
+                           now.quaternion_rate);
+
+  update_history(past_spatial_, body, history, [&](SpatialRates* h) {
+    rodpack::fill_kinematic_history(h, order_, update->dt, motion, inertia);
+  });
+  rodpack::advance(motion, history, order_, evaluations_->get(body), update->dt);
+
+  double omega[3];
+  rodpack::angular_velocity(motion.quaternion, motion.angular_momentum, inertia, omega);
+  for (int d = 0; d < 3; ++d) {
+    x[d] = motion.position[d];
+    v[d] = motion.velocity[d];
+    l[d] = motion.angular_momentum[d];
+    omega_(body)[d] = omega[d];
+  }
+  std::copy(motion.quaternion, motion.quaternion + 4, q);
+  MathExtra::q_to_exyz(q, ex_(body), ey_(body), ez_(body));
+}
+
+void FixMultisphereAB::require_planar(int body) {
+  // z has to be a principal axis, or the motion about it would tip the body over
+  const double* inertia = inertia_(body);
+  const double* axes[3] = {ex_(body), ey_(body), ez_(body)};
+  double product[2] = {0.0, 0.0};
+  for (int k = 0; k < 3; ++k)
+    for (int d = 0; d < 2; ++d) product[d] += inertia[k] * axes[k][d] * axes[k][2];
+  const double largest = std::max(inertia[0], std::max(inertia[1], inertia[2]));
+  if (std::max(std::fabs(product[0]), std::fabs(product[1])) > 1e-9 * largest)
+    body_error(body, "z is not one of its principal axes, so it cannot move in the x-y plane only");
+  if (!(moment_about_z(body) > 0.0)) body_error(body, "its moment of inertia about z is not positive");
+
+  double *v = vcm_(body), *omega = omega_(body);
+  if (v[2] == 0.0 && omega[0] == 0.0 && omega[1] == 0.0) return;
+  if (modify->n_fixes_style("enforce2d") == 0)
+    body_error(body, "it moves out of the x-y plane: v_z, omega_x and omega_y have to be 0");
+  v[2] = omega[0] = omega[1] = angmom_(body)[0] = angmom_(body)[1] = 0.0;
+}
+
+void FixMultisphereAB::require_inertia(int body) {
+  for (int d = 0; d < 3; ++d)
+    if (!(inertia_(body)[d] > 0.0)) body_error(body, "its moments of inertia have to be positive");
+}
+
+void FixMultisphereAB::body_error(int body, const char* what) {
+  const std::string text = std::string("Fix ") + style + " (id " + id + "): body " +
+                           std::to_string(data().tag(body)) + ": " + what;
+  error->one(FLERR, text.c_str());
+}

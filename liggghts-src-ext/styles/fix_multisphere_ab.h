@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef FIX_CLASS
+
+// clang-format off
+FixStyle(multisphere/ab,FixMultisphereAB)
+// clang-format on
+
+#else
+
+#ifndef LMP_FIX_MULTISPHERE_AB_H
+#define LMP_FIX_MULTISPHERE_AB_H
+
+#include <vector>
+
+#include "fix_multisphere.h"
+#include "multistep_options.h"
+#include "rodpack/rigid_motion.h"
+
+namespace LAMMPS_NS {
+
+/// Rigid bodies advanced by Adams-Bashforth steps of order 1 to 4 in place of velocity Verlet.
+///
+/// The whole step, velocities and positions, is made in initial_integrate from the rates now and at
+/// the steps before; forces then see positions and velocities of the same time. The rates of the
+/// past live in per-body properties, which migrate with the body and enter restarts by themselves.
+class FixMultisphereAB : public FixMultisphere {
+ public:
+  FixMultisphereAB(class LAMMPS*, int, char**);
+
+  void init() override;
+  void initial_integrate(int) override;
+  void final_integrate() override;
+  void reset_dt() override;
+  void restart(char*) override;
+
+  using FixMultisphere::extract;
+  /// "multistep_order": the order, int*. For the tangential contact models.
+  void* extract(const char*, int&) override;
+
+ private:
+  template <class Rates>
+  using PastRates = VectorContainer<double, sizeof(Rates) / sizeof(double)>;
+
+  void parse(int narg, char** arg);
+  void add_history();
+  template <class Rates>
+  void add_past_rates(std::vector<PastRates<Rates>*>& past);
+  template <class Rates, class Birth>
+  void update_history(const std::vector<PastRates<Rates>*>& past, int body, Rates* history,
+                      Birth fill_before_birth);
+
+  int layout() const;
+  int history_size(int layout) const;
+  void restart_history_after_new_timestep();
+  void require_planar(int body);
+  void require_inertia(int body);
+  void body_error(int body, const char* what);
+  double moment_about_z(int body) const;
+  void advance_planar(int body);
+  void advance_spatial(int body);
+
+  MultistepOptions options_;
+  int order_;
+  bool planar_;
+  /// Values per body that the base class writes to a restart file ahead of ours.
+  int stock_restart_size_;
+
+  // history of each body; the newest rates are not kept, they follow from the state
+  ScalarContainer<int>* layout_;       // order and planarity of what follows, for restart files
+  ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at order + 1
+  ScalarContainer<double>* timestep_;  // the rates are this far apart, s
+  std::vector<PastRates<rodpack::PlanarRates>*> past_planar_;    // oldest first
+  std::vector<PastRates<rodpack::SpatialRates>*> past_spatial_;  // oldest first
+
+  // state of each body, kept by the base class
+  typedef VectorContainer<double, 3> Vectors;
+  ScalarContainer<double>& mass_;
+  Vectors &xcm_, &vcm_, &fcm_, &torque_, &angmom_, &omega_, &inertia_, &ex_, &ey_, &ez_;
+  VectorContainer<double, 4>& quat_;
+  VectorContainer<bool, 3>&fflag_, &tflag_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rates of the past: storage, start-up, restart files.
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "comm.h"
+#include "error.h"
+#include "fix_multisphere_ab.h"
+#include "mpi_liggghts.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+// A stock restart file may go on with other properties where ours holds the layout; none of those
+// is a negative whole number of this size.
+static int encode_layout(int order, bool planar) { return -(7000 + 10 * order + (planar ? 1 : 0)); }
+
+int FixMultisphereAB::layout() const { return encode_layout(order_, planar_); }
+
+/// Number of values per body that a history of this layout writes to a restart file; 0 if `layout`
+/// is none of ours.
+int FixMultisphereAB::history_size(int layout) const {
+  for (int order = 1; order <= rodpack::max_multistep_order; ++order)
+    for (int planar = 0; planar < 2; ++planar)
+      if (layout == encode_layout(order, planar))
+        return 3 + (order - 1) * static_cast<int>((planar ? sizeof(rodpack::PlanarRates)
+                                                          : sizeof(rodpack::SpatialRates)) /
+                                                  sizeof(double));
+  return 0;
+}
+
+void FixMultisphereAB::add_history() {
+  CustomValueTracker& properties = data().prop();
+  stock_restart_size_ = properties.elemBufSize(OPERATION_RESTART, NULL, false, false, false);
+  layout_ = properties.addElementProperty<ScalarContainer<int> >(
+      "ab_layout", "comm_exchange_borders", "frame_invariant", "restart_yes");
+  evaluations_ = properties.addElementProperty<ScalarContainer<int> >(
+      "ab_evaluations", "comm_exchange_borders", "frame_invariant", "restart_yes");
+  timestep_ = properties.addElementProperty<ScalarContainer<double> >(
+      "ab_timestep", "comm_exchange_borders", "frame_invariant", "restart_yes");
+  layout_->setDefaultValue(layout());
+  evaluations_->setDefaultValue(0);
+  timestep_->setDefaultValue(0.0);
+  if (planar_)
+    add_past_rates<rodpack::PlanarRates>(past_planar_);
+  else
+    add_past_rates<rodpack::SpatialRates>(past_spatial_);
+}
+
+template <class Rates>
+void FixMultisphereAB::add_past_rates(std::vector<PastRates<Rates>*>& past) {
+  for (int k = 0; k < order_ - 1; ++k) {
+    const std::string name = "ab_rates_" + std::to_string(order_ - 1 - k);
+    past.push_back(data().prop().addElementProperty<PastRates<Rates> >(
+        name.c_str(), "comm_exchange_borders", "frame_invariant", "restart_yes"));
+    past.back()->setDefaultValue(0.0);
+  }
+}
+
+void FixMultisphereAB::restart_history_after_new_timestep() {
+  int restarted = 0;
+  for (int body = 0; body < n_body(); ++body)
+    if (evaluations_->get(body) > 0 && timestep_->get(body) != update->dt) {
+      evaluations_->set(body, 0);
+      ++restarted;
+    }
+  MPI_Sum_Scalar(restarted, world);
+  if (restarted > 0 && comm->me == 0) {
+    const std::string text = "Fix " + std::string(style) + ": new time step, so the history of " +
+                             std::to_string(restarted) + " bodies starts anew";
+    error->warning(FLERR, text.c_str());
+  }
+}
+
+/// Reads bodies from a restart file. Where the file holds no history of our order and planarity
+/// (built-in multisphere, another order), an empty one is put in and every body starts anew.
+void FixMultisphereAB::restart(char* buf) {
+  const int stock_header = 4;  // record size and bounding sphere centre, ahead of the properties
+  const double* in = reinterpret_cast<const double*>(buf);
+  const int bodies = static_cast<int>(in[0]);
+  std::vector<double> list(1, *in++);
+  bool anew = false;
+  for (int body = 0; body < bodies; ++body) {
+    const double* end = in + static_cast<int>(in[0]);
+    const double* ours = in + stock_header + stock_restart_size_;
+    const size_t begin = list.size();
+    list.insert(list.end(), in, ours);
+    const int in_file = ours < end ? static_cast<int>(*ours) : 0;
+    if (in_file != layout()) {
+      list.push_back(layout());
+      list.resize(list.size() + history_size(layout()) - 1, 0.0);
+      ours += history_size(in_file);
+      anew = true;
+    }
+    list.insert(list.end(), ours, end);
+    list[begin] = static_cast<double>(list.size() - begin);
+    in = end;
+  }
+  if (anew && comm->me == 0) {
+    const std::string text = "Fix " + std::string(style) +
+                             ": the restart file holds no history of order " +
+                             std::to_string(order_) + " and planar " + (planar_ ? "yes" : "no") +
+                             ", so every body starts anew";
+    error->warning(FLERR, text.c_str());
+  }
+  FixMultisphere::restart(reinterpret_cast<char*>(list.data()));
+}
