@@ -6,11 +6,10 @@
 #include <cstring>
 #include <string>
 
-#include "comm.h"
 #include "error.h"
 #include "math_extra.h"
 #include "modify.h"
-#include "mpi_liggghts.h"
+#include "rodpack/rigid_motion.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -20,6 +19,10 @@ using rodpack::SpatialMotion;
 using rodpack::SpatialRates;
 
 namespace {
+
+static_assert(sizeof(PlanarRates) == 6 * sizeof(double), "size of FixMultisphereAB::PlanarRecord");
+static_assert(sizeof(SpatialRates) == 13 * sizeof(double),
+              "size of FixMultisphereAB::SpatialRecord");
 
 template <class Container>
 Container& property(Multisphere& bodies, const char* name) {
@@ -103,9 +106,9 @@ void* FixMultisphereAB::extract(const char* name, int& dimension) {
 
 /// Completes `history`, whose newest entry is set, with the past of the body, and keeps what the next
 /// step needs of it. A body at birth has no past: `fill_before_birth` makes one up.
-template <class Rates, class Birth>
-void FixMultisphereAB::update_history(const std::vector<PastRates<Rates>*>& past, int body,
-                                      Rates* history, Birth fill_before_birth) {
+template <class Record, class Rates, class Birth>
+void FixMultisphereAB::update_history(const std::vector<Record*>& past, int body, Rates* history,
+                                      Birth fill_before_birth) {
   const int known = evaluations_->get(body);
   if (known == 0) {
     fill_before_birth(history);

@@ -14,7 +14,6 @@ FixStyle(multisphere/ab,FixMultisphereAB)
 
 #include "fix_multisphere.h"
 #include "multistep_options.h"
-#include "rodpack/rigid_motion.h"
 
 namespace LAMMPS_NS {
 
@@ -38,15 +37,16 @@ class FixMultisphereAB : public FixMultisphere {
   void* extract(const char*, int&) override;
 
  private:
-  template <class Rates>
-  using PastRates = VectorContainer<double, sizeof(Rates) / sizeof(double)>;
+  // one record of rates of a body: as many values as rodpack::PlanarRates, rodpack::SpatialRates
+  typedef VectorContainer<double, 6> PlanarRecord;
+  typedef VectorContainer<double, 13> SpatialRecord;
 
   void parse(int narg, char** arg);
   void add_history();
-  template <class Rates>
-  void add_past_rates(std::vector<PastRates<Rates>*>& past);
-  template <class Rates, class Birth>
-  void update_history(const std::vector<PastRates<Rates>*>& past, int body, Rates* history,
+  template <class Record>
+  void add_records(std::vector<Record*>& past);
+  template <class Record, class Rates, class Birth>
+  void update_history(const std::vector<Record*>& past, int body, Rates* history,
                       Birth fill_before_birth);
 
   int layout() const;
@@ -69,8 +69,8 @@ class FixMultisphereAB : public FixMultisphere {
   ScalarContainer<int>* layout_;       // order and planarity of what follows, for restart files
   ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at order + 1
   ScalarContainer<double>* timestep_;  // the rates are this far apart, s
-  std::vector<PastRates<rodpack::PlanarRates>*> past_planar_;    // oldest first
-  std::vector<PastRates<rodpack::SpatialRates>*> past_spatial_;  // oldest first
+  std::vector<PlanarRecord*> past_planar_;    // oldest first
+  std::vector<SpatialRecord*> past_spatial_;  // oldest first
 
   // state of each body, kept by the base class
   typedef VectorContainer<double, 3> Vectors;

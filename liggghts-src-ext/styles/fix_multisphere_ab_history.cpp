@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The rates of the past: storage, start-up, restart files.
-#include <algorithm>
-#include <cstring>
 #include <string>
 
 #include "comm.h"
 #include "error.h"
 #include "fix_multisphere_ab.h"
 #include "mpi_liggghts.h"
+#include "rodpack/multistep.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -24,9 +23,7 @@ int FixMultisphereAB::history_size(int layout) const {
   for (int order = 1; order <= rodpack::max_multistep_order; ++order)
     for (int planar = 0; planar < 2; ++planar)
       if (layout == encode_layout(order, planar))
-        return 3 + (order - 1) * static_cast<int>((planar ? sizeof(rodpack::PlanarRates)
-                                                          : sizeof(rodpack::SpatialRates)) /
-                                                  sizeof(double));
+        return 3 + (order - 1) * (planar ? 6 : 13);
   return 0;
 }
 
@@ -43,16 +40,16 @@ void FixMultisphereAB::add_history() {
   evaluations_->setDefaultValue(0);
   timestep_->setDefaultValue(0.0);
   if (planar_)
-    add_past_rates<rodpack::PlanarRates>(past_planar_);
+    add_records(past_planar_);
   else
-    add_past_rates<rodpack::SpatialRates>(past_spatial_);
+    add_records(past_spatial_);
 }
 
-template <class Rates>
-void FixMultisphereAB::add_past_rates(std::vector<PastRates<Rates>*>& past) {
+template <class Record>
+void FixMultisphereAB::add_records(std::vector<Record*>& past) {
   for (int k = 0; k < order_ - 1; ++k) {
     const std::string name = "ab_rates_" + std::to_string(order_ - 1 - k);
-    past.push_back(data().prop().addElementProperty<PastRates<Rates> >(
+    past.push_back(data().prop().addElementProperty<Record>(
         name.c_str(), "comm_exchange_borders", "frame_invariant", "restart_yes"));
     past.back()->setDefaultValue(0.0);
   }

@@ -14,6 +14,7 @@
 #include "fix_property_atom.h"
 #include "modify.h"
 #include "mpi_liggghts.h"
+#include "rodpack/multistep.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -25,7 +26,7 @@ enum { VELOCITY = 0, ACCELERATION = 3, ANGULAR_ACCELERATION = 6, RATES = 9 };
 enum { EVALUATIONS = 0, TIMESTEP, ORDER, STATE_VALUES };
 
 FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), options_(lmp, this), bodies_(NULL), state_(NULL), past_() {
+    : Fix(lmp, narg, arg), options_(lmp, this), bodies_(NULL), state_(NULL) {
   time_integrate = 1;
   for (int iarg = 3; iarg < narg;) {
     const int taken = options_.read(iarg, narg, arg);
@@ -53,13 +54,13 @@ FixPropertyAtom* FixNVESphereAB::add_property(const char* name, int values) {
 
 void FixNVESphereAB::post_create() {
   state_ = add_property("ab_state", STATE_VALUES);
-  for (int k = 0; k < order_ - 1; ++k)
-    past_[k] = add_property(("ab_rates_" + std::to_string(k + 1)).c_str(), RATES);
+  for (int k = 1; k < order_; ++k)
+    past_.push_back(add_property(("ab_rates_" + std::to_string(k)).c_str(), RATES));
 }
 
 void FixNVESphereAB::pre_delete(bool unfixflag) {
   if (!unfixflag) return;
-  for (int k = 0; k < order_ - 1; ++k) modify->delete_fix(past_[k]->id);
+  for (FixPropertyAtom* record : past_) modify->delete_fix(record->id);
   modify->delete_fix(state_->id);
 }
 

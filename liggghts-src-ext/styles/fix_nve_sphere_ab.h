@@ -10,9 +10,10 @@ FixStyle(nve/sphere/ab,FixNVESphereAB)
 #ifndef LMP_FIX_NVE_SPHERE_AB_H
 #define LMP_FIX_NVE_SPHERE_AB_H
 
+#include <vector>
+
 #include "fix.h"
 #include "multistep_options.h"
-#include "rodpack/multistep.h"
 
 namespace LAMMPS_NS {
 
@@ -44,7 +45,7 @@ class FixNVESphereAB : public Fix {
   class FixMultisphere* bodies_;
 
   class FixPropertyAtom* state_;  // force evaluations since birth (capped), time step, order
-  class FixPropertyAtom* past_[rodpack::max_multistep_order - 1];  // rates, newest first
+  std::vector<class FixPropertyAtom*> past_;  // rates, newest first
 };
 
 }  // namespace LAMMPS_NS
