@@ -87,16 +87,13 @@ void FixMultisphereAB::init() {
     ms_error(FLERR, "only one fix multisphere can hold the bodies, but there are more");
   if (modify->n_fixes_style("insert/stream") > 0)
     ms_error(FLERR, "fix insert/stream, which moves bodies by itself at first, is not supported");
-  if (options_.planar() != planar_)
-    ms_error(FLERR,
-             "with 'planar auto' a fix enforce2d has to be defined before this fix and to stay; "
-             "define it earlier or give 'planar yes' or 'planar no'");
-  restart_history_after_new_timestep();
+  planar_ = options_.planar();
+  restart_history_after_change();
 }
 
 void FixMultisphereAB::reset_dt() {
   dtv = update->dt;
-  restart_history_after_new_timestep();
+  restart_history_after_change();
 }
 
 void* FixMultisphereAB::extract(const char* name, int& dimension) {
@@ -165,9 +162,13 @@ void FixMultisphereAB::advance_planar(int body) {
   now.angular_velocity = motion.angular_velocity;
   now.angular_acceleration = tflag_(body)[2] ? torque_(body)[2] / moment : 0.0;
 
-  update_history(past_planar_, body, history, [&](PlanarRates* h) {
+  const auto fill = [&](PlanarRates* h) {
     rodpack::fill_kinematic_history(h, order_, update->dt);
-  });
+  };
+  if (options_.always_planar())
+    update_history(past_planar_, body, history, fill);
+  else
+    update_history(past_spatial_, body, history, fill);
   rodpack::advance(motion, history, order_, evaluations_->get(body), update->dt);
 
   for (int d = 0; d < 2; ++d) {

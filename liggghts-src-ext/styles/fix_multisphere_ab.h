@@ -50,8 +50,8 @@ class FixMultisphereAB : public FixMultisphere {
                       Birth fill_before_birth);
 
   int layout() const;
-  int history_size(int layout) const;
-  void restart_history_after_new_timestep();
+  static int history_size(int layout);
+  void restart_history_after_change();
   void require_planar(int body);
   void require_inertia(int body);
   void body_error(int body, const char* what);
@@ -66,11 +66,13 @@ class FixMultisphereAB : public FixMultisphere {
   int stock_restart_size_;
 
   // history of each body; the newest rates are not kept, they follow from the state
-  ScalarContainer<int>* layout_;       // order and planarity of what follows, for restart files
+  ScalarContainer<int>* layout_;       // what the records below hold; negative
   ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at order + 1
   ScalarContainer<double>* timestep_;  // the rates are this far apart, s
-  std::vector<PlanarRecord*> past_planar_;    // oldest first
-  std::vector<SpatialRecord*> past_spatial_;  // oldest first
+  // Records of the past, oldest first. Short ones only with `planar yes`: with `planar auto` the
+  // question is open until the run starts, and planar rates then fill the front of the long ones.
+  std::vector<PlanarRecord*> past_planar_;
+  std::vector<SpatialRecord*> past_spatial_;
 
   // state of each body, kept by the base class
   typedef VectorContainer<double, 3> Vectors;

@@ -11,20 +11,19 @@
 
 using namespace LAMMPS_NS;
 
-// A stock restart file may go on with other properties where ours holds the layout; none of those
-// is a negative whole number of this size.
-static int encode_layout(int order, bool planar) { return -(7000 + 10 * order + (planar ? 1 : 0)); }
+// What the records of a body hold, as one number: order, short records or long ones, planar rates in
+// them or spatial ones. A stock restart file may go on with other properties in its place; none of
+// those is negative.
+int FixMultisphereAB::layout() const {
+  return -(1000 + 100 * order_ + 10 * options_.always_planar() + planar_);
+}
 
-int FixMultisphereAB::layout() const { return encode_layout(order_, planar_); }
-
-/// Number of values per body that a history of this layout writes to a restart file; 0 if `layout`
-/// is none of ours.
-int FixMultisphereAB::history_size(int layout) const {
-  for (int order = 1; order <= rodpack::max_multistep_order; ++order)
-    for (int planar = 0; planar < 2; ++planar)
-      if (layout == encode_layout(order, planar))
-        return 3 + (order - 1) * (planar ? 6 : 13);
-  return 0;
+/// Values per body that a history of this layout takes in a restart file; 0 if it is none of ours.
+int FixMultisphereAB::history_size(int layout) {
+  const int order = -layout / 100 - 10;
+  if (order < 1 || order > rodpack::max_multistep_order) return 0;
+  const bool short_records = -layout / 10 % 10 == 1;
+  return 3 + (order - 1) * (short_records ? 6 : 13);
 }
 
 void FixMultisphereAB::add_history() {
@@ -36,10 +35,9 @@ void FixMultisphereAB::add_history() {
       "ab_evaluations", "comm_exchange_borders", "frame_invariant", "restart_yes");
   timestep_ = properties.addElementProperty<ScalarContainer<double> >(
       "ab_timestep", "comm_exchange_borders", "frame_invariant", "restart_yes");
-  layout_->setDefaultValue(layout());
   evaluations_->setDefaultValue(0);
   timestep_->setDefaultValue(0.0);
-  if (planar_)
+  if (options_.always_planar())
     add_records(past_planar_);
   else
     add_records(past_spatial_);
@@ -55,23 +53,28 @@ void FixMultisphereAB::add_records(std::vector<Record*>& past) {
   }
 }
 
-void FixMultisphereAB::restart_history_after_new_timestep() {
+void FixMultisphereAB::restart_history_after_change() {
   int restarted = 0;
-  for (int body = 0; body < n_body(); ++body)
-    if (evaluations_->get(body) > 0 && timestep_->get(body) != update->dt) {
+  for (int body = 0; body < n_body(); ++body) {
+    const bool same = layout_->get(body) == layout() && timestep_->get(body) == update->dt;
+    if (evaluations_->get(body) > 0 && !same) {
       evaluations_->set(body, 0);
       ++restarted;
     }
+    layout_->set(body, layout());
+  }
+  layout_->setDefaultValue(layout());
   MPI_Sum_Scalar(restarted, world);
   if (restarted > 0 && comm->me == 0) {
-    const std::string text = "Fix " + std::string(style) + ": new time step, so the history of " +
+    const std::string text = "Fix " + std::string(style) +
+                             ": another time step or planarity, so the history of " +
                              std::to_string(restarted) + " bodies starts anew";
     error->warning(FLERR, text.c_str());
   }
 }
 
-/// Reads bodies from a restart file. Where the file holds no history of our order and planarity
-/// (built-in multisphere, another order), an empty one is put in and every body starts anew.
+/// Reads bodies from a restart file. Where the file holds no history like ours (built-in
+/// multisphere, another order), an empty one is put in and every body starts anew.
 void FixMultisphereAB::restart(char* buf) {
   const int stock_header = 4;  // record size and bounding sphere centre, ahead of the properties
   const double* in = reinterpret_cast<const double*>(buf);
@@ -84,7 +87,7 @@ void FixMultisphereAB::restart(char* buf) {
     const size_t begin = list.size();
     list.insert(list.end(), in, ours);
     const int in_file = ours < end ? static_cast<int>(*ours) : 0;
-    if (in_file != layout()) {
+    if (history_size(in_file) != history_size(layout())) {
       list.push_back(layout());
       list.resize(list.size() + history_size(layout()) - 1, 0.0);
       ours += history_size(in_file);
@@ -96,9 +99,8 @@ void FixMultisphereAB::restart(char* buf) {
   }
   if (anew && comm->me == 0) {
     const std::string text = "Fix " + std::string(style) +
-                             ": the restart file holds no history of order " +
-                             std::to_string(order_) + " and planar " + (planar_ ? "yes" : "no") +
-                             ", so every body starts anew";
+                             ": the restart file holds no history for this order and planarity, "
+                             "so that of every body starts anew";
     error->warning(FLERR, text.c_str());
   }
   FixMultisphere::restart(reinterpret_cast<char*>(list.data()));

@@ -28,7 +28,8 @@ class MultistepOptions : protected Pointers {
   /// True when only x, y and the rotation about z move: as the keyword says, or, with `auto`, when a
   /// fix enforce2d keeps the scene planar or the simulation is two-dimensional.
   bool planar() const;
-  bool planar_is_automatic() const { return planar_ == AUTO; }
+  /// True when planar() can never be false.
+  bool always_planar() const { return planar_ == YES; }
 
  private:
   enum Planar { AUTO, YES, NO };

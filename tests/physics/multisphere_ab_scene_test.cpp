@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix multisphere/ab in a scene with collisions: against built-in multisphere, restarts, ranks,
+// changes of the time step.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+
+#include "liggghts_run.h"
+
+namespace {
+
+using namespace rodpack::test;
+using Vars = std::map<std::string, std::string>;
+
+const char* const deck = "verification/two_rods/in.two_rods";
+const char* const planar = "multisphere/ab order 3 planar yes";
+const Vars in_plane = {{"integrator", planar}, {"tilt", "1 0 0 0"}, {"flat", "1"}};
+
+Table state_of(const Run& run) {
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  return read_dump(run.folder / "state.dump");
+}
+
+/// Row of body `id`.
+size_t row(const Table& state, double id) {
+  for (size_t i = 0; i < state.rows(); ++i)
+    if (state.column("c_id")[i] == id) return i;
+  ADD_FAILURE() << "no body " << id;
+  return 0;
+}
+
+double largest_distance(const Table& a, const Table& b) {
+  double largest = 0;
+  for (double id : {1., 2.}) {
+    double squared = 0;
+    for (const char* x : {"c_x[1]", "c_x[2]", "c_x[3]"})
+      squared += std::pow(a.column(x)[row(a, id)] - b.column(x)[row(b, id)], 2);
+    largest = std::max(largest, std::sqrt(squared));
+  }
+  return largest;
+}
+
+void expect_same(const Table& a, const Table& b, double relative) {
+  ASSERT_EQ(a.rows(), b.rows());
+  for (const std::string& name : a.names())
+    for (double id : {1., 2.}) {
+      const double x = a.column(name)[row(a, id)], y = b.column(name)[row(b, id)];
+      EXPECT_LE(std::abs(x - y), relative * std::max(std::abs(x), std::abs(y)))
+          << name << " of body " << id << ": " << x << " and " << y;
+    }
+}
+
+}  // namespace
+
+// Both tend to the solution of the same equations; with a dashpot, whose force jumps at touch, either
+// does so to first order, so their distance halves with the step.
+TEST(MultisphereAb, TendsToTheTrajectoryOfBuiltInMultisphere) {
+  double distance[3];
+  for (int i = 0; i < 3; ++i) {
+    const int steps = 2500 << i;
+    Vars vars = {{"timestep", std::to_string(0.02 / steps)}, {"steps", std::to_string(steps + 1)}};
+    char timestep[32];
+    std::snprintf(timestep, sizeof timestep, "%.17g", 0.02 / steps);
+    vars["timestep"] = timestep;
+    vars["every"] = vars["steps"];
+    const Table ab = state_of(run_liggghts(deck, vars));
+    vars["integrator"] = "multisphere";
+    distance[i] = largest_distance(ab, state_of(run_liggghts(deck, vars)));
+  }
+  EXPECT_LT(distance[2], 0.35 * distance[0]) << distance[0] << " " << distance[1];
+  EXPECT_LT(distance[2], 2e-6);  // m, of 4 mm travelled after the collision
+}
+
+TEST(MultisphereAb, MomentumOfTwoCollidingBodiesIsConservedToRounding) {
+  // equal masses, +-0.5 m/s along x, no outer force: the sum of all velocities stays 0
+  const Table state = state_of(run_liggghts(deck, {{"gravity", "0"}}));
+  for (const char* v : {"c_v[1]", "c_v[2]", "c_v[3]"}) {
+    const auto& velocity = state.column(v);
+    EXPECT_NEAR(velocity[0] + velocity[1], 0, 1e-14) << v;
+  }
+  EXPECT_LT(std::abs(state.column("c_v[1]")[0]), 0.4);  // they did collide
+}
+
+TEST(MultisphereAb, RestartRepeatsTheUninterruptedRunToTheLastBit) {
+  for (Vars vars : {Vars{}, in_plane}) {
+    // 460: in the middle of the collision
+    vars["save"] = "460";
+    const auto whole = run_liggghts(deck, vars);
+    const Table expected = state_of(whole);
+    vars["save"] = "0";
+    vars["restarted"] = "1";
+    const auto continued = run_liggghts_in(whole.folder, deck, vars);
+    EXPECT_THAT(continued.output, testing::Not(testing::HasSubstr("starts anew")));
+    expect_same(state_of(continued), expected, 0);
+  }
+}
+
+TEST(MultisphereAb, SecondRunCommandGoesOnAsIfThereWereNone) {
+  // `save` splits the run in two
+  const Table split = state_of(run_liggghts(deck, {{"save", "460"}}));
+  expect_same(split, state_of(run_liggghts(deck)), 0);
+}
+
+TEST(MultisphereAb, RanksAgreeWithOneRankToRounding) {
+  for (const Vars& vars : {Vars{}, in_plane}) {
+    const Table one = state_of(run_liggghts(deck, vars, 1));
+    expect_same(state_of(run_liggghts(deck, vars, 2)), one, 1e-9);
+  }
+}
+
+TEST(MultisphereAb, RestartFromBuiltInMultisphereStartsAnew) {
+  Vars vars = {{"integrator", "multisphere"}, {"save", "300"}, {"steps", "301"}};
+  const auto built_in = run_liggghts(deck, vars);
+  ASSERT_EQ(built_in.exit_code, 0) << built_in.output;
+  const Table whole = state_of(run_liggghts(deck, {{"steps", "401"}}));
+  const auto run = run_liggghts_in(built_in.folder, deck, {{"restarted", "1"}, {"steps", "401"}});
+  EXPECT_THAT(run.output, testing::HasSubstr("starts anew"));
+  // free flight so far: positions differ by the rotation error of the built-in integrator only
+  EXPECT_LT(largest_distance(state_of(run), whole), 1e-8);
+}
+
+TEST(MultisphereAb, AnotherTimestepOrOrderInARestartStartsAnew) {
+  const auto first = run_liggghts(deck, {{"save", "300"}, {"steps", "301"}});
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  const auto same = run_liggghts_in(first.folder, deck, {{"restarted", "1"}, {"steps", "302"}});
+  EXPECT_THAT(same.output, testing::Not(testing::HasSubstr("starts anew")));
+  for (const Vars& change : {Vars{{"timestep", "5e-6"}},
+                             Vars{{"integrator", "multisphere/ab order 4"}},
+                             Vars{{"integrator", "multisphere/ab order 2"}}}) {
+    Vars vars = change;
+    vars["restarted"] = "1";
+    vars["steps"] = "401";
+    const auto run = run_liggghts_in(first.folder, deck, vars);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_THAT(run.output, testing::HasSubstr("starts anew"));
+    EXPECT_EQ(state_of(run).rows(), 2u);
+  }
+}
+
+TEST(MultisphereAb, WrongInputIsOneLineThatNamesIt) {
+  const std::map<std::string, std::string> cases = {
+      {"multisphere/ab order 5", "keyword 'order': expected an integer from 1 to 4, got '5'"},
+      {"multisphere/ab order 0", "keyword 'order': expected an integer from 1 to 4, got '0'"},
+      {"multisphere/ab order 2.5", "keyword 'order': expected an integer from 1 to 4, got '2.5'"},
+      {"multisphere/ab order", "keyword 'order' needs a value"},
+      {"multisphere/ab planar maybe", "keyword 'planar': expected auto, yes or no, got 'maybe'"},
+      {"multisphere/ab allow_heatsource 1",
+       "keyword 'allow_heatsource': expected yes or no, got '1'"},
+      {"multisphere/ab speed 3", "unknown keyword 'speed'; expected order, planar"},
+      {"multisphere/ab CAddRhoFluid 1 2", "unknown keyword 'CAddRhoFluid'"},
+      {"multisphere/ab planar yes", "body 1: z is not one of its principal axes"},
+      {"multisphere\nfix again all multisphere/ab", "only one fix multisphere"}};
+  for (const auto& [integrator, message] : cases) {
+    std::string text;
+    {
+      std::ifstream file(std::string(RODPACK_REPOSITORY "/inputs/") + deck);
+      text.assign(std::istreambuf_iterator<char>(file), {});
+    }
+    const std::string variable = "${integrator}";
+    text.replace(text.find(variable), variable.size(), integrator);
+    for (size_t jump; (jump = text.find("jump")) != std::string::npos;) {  // needs a file to jump in
+      const size_t line = text.rfind('\n', jump) + 1;
+      text.erase(line, text.find('\n', jump) - line);
+    }
+    text.erase(text.find("read_restart"), sizeof("read_restart  restart.bin") - 1);
+    const auto run = run_liggghts(text);
+    EXPECT_NE(run.exit_code, 0) << integrator;
+    EXPECT_THAT(run.output, testing::HasSubstr(message)) << integrator;
+  }
+}
+
+TEST(MultisphereAb, PlanarRefusesAMotionOutOfThePlane) {
+  const auto run = run_liggghts("verification/free_flight/in.free_flight",
+                                {{"integrator", planar}, {"orientation", "1 0 0 0"}});
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_THAT(run.output, testing::HasSubstr("body 1: it moves out of the x-y plane"));
+}
