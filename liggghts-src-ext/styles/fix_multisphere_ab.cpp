@@ -101,8 +101,8 @@ void* FixMultisphereAB::extract(const char* name, int& dimension) {
   return strcmp(name, "multistep_order") == 0 ? &order_ : NULL;
 }
 
-/// Completes `history`, whose newest entry is set, with the past of the body, and keeps what the next
-/// step needs of it. A body at birth has no past: `fill_before_birth` makes one up.
+/// Completes `history`, whose newest entry is set, with the past of the body, and keeps what the
+/// next step needs of it. A body at birth has no past: `fill_before_birth` makes one up.
 template <class Record, class Rates, class Birth>
 void FixMultisphereAB::update_history(const std::vector<Record*>& past, int body, Rates* history,
                                       Birth fill_before_birth) {
@@ -162,9 +162,7 @@ void FixMultisphereAB::advance_planar(int body) {
   now.angular_velocity = motion.angular_velocity;
   now.angular_acceleration = tflag_(body)[2] ? torque_(body)[2] / moment : 0.0;
 
-  const auto fill = [&](PlanarRates* h) {
-    rodpack::fill_kinematic_history(h, order_, update->dt);
-  };
+  const auto fill = [&](PlanarRates* h) { rodpack::fill_kinematic_history(h, order_, update->dt); };
   if (options_.always_planar())
     update_history(past_planar_, body, history, fill);
   else
@@ -179,8 +177,8 @@ void FixMultisphereAB::advance_planar(int body) {
   omega_(body)[2] = motion.angular_velocity;
   angmom_(body)[2] = moment * motion.angular_velocity;
 
-  // A rotation about z leaves the z components of the axes alone; recomputed ones would scatter by a
-  // rounding error and move spheres out of their plane.
+  // A rotation about z leaves the z components of the axes alone; recomputed ones would scatter by
+  // a rounding error and move spheres out of their plane.
   double* axes[3] = {ex_(body), ey_(body), ez_(body)};
   const double z[3] = {axes[0][2], axes[1][2], axes[2][2]};
   MathExtra::q_to_exyz(q, axes[0], axes[1], axes[2]);
@@ -235,7 +233,8 @@ void FixMultisphereAB::require_planar(int body) {
   const double largest = std::max(inertia[0], std::max(inertia[1], inertia[2]));
   if (std::max(std::fabs(product[0]), std::fabs(product[1])) > 1e-9 * largest)
     body_error(body, "z is not one of its principal axes, so it cannot move in the x-y plane only");
-  if (!(moment_about_z(body) > 0.0)) body_error(body, "its moment of inertia about z is not positive");
+  if (!(moment_about_z(body) > 0.0))
+    body_error(body, "its moment of inertia about z is not positive");
 
   double *v = vcm_(body), *omega = omega_(body);
   if (v[2] == 0.0 && omega[0] == 0.0 && omega[1] == 0.0) return;

@@ -11,9 +11,9 @@
 
 using namespace LAMMPS_NS;
 
-// What the records of a body hold, as one number: order, short records or long ones, planar rates in
-// them or spatial ones. A stock restart file may go on with other properties in its place; none of
-// those is negative.
+// What the records of a body hold, as one number: order, short records or long ones, planar rates
+// in them or spatial ones. A stock restart file may go on with other properties in its place; none
+// of those is negative.
 int FixMultisphereAB::layout() const {
   return -(1000 + 100 * order_ + 10 * options_.always_planar() + planar_);
 }
@@ -47,8 +47,8 @@ template <class Record>
 void FixMultisphereAB::add_records(std::vector<Record*>& past) {
   for (int k = 0; k < order_ - 1; ++k) {
     const std::string name = "ab_rates_" + std::to_string(order_ - 1 - k);
-    past.push_back(data().prop().addElementProperty<Record>(
-        name.c_str(), "comm_exchange_borders", "frame_invariant", "restart_yes"));
+    past.push_back(data().prop().addElementProperty<Record>(name.c_str(), "comm_exchange_borders",
+                                                            "frame_invariant", "restart_yes"));
     past.back()->setDefaultValue(0.0);
   }
 }

@@ -44,8 +44,8 @@ FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
 
 FixPropertyAtom* FixNVESphereAB::add_property(const char* name, int values) {
   const std::string property_id = std::string(name) + "_" + id;
-  std::vector<std::string> words = {property_id, "all", "property/atom", property_id, "vector",
-                                    "yes",       "no",  "no"};
+  std::vector<std::string> words = {
+      property_id, "all", "property/atom", property_id, "vector", "yes", "no", "no"};
   words.resize(words.size() + values, "0.");
   std::vector<char*> arg;
   for (std::string& word : words) arg.push_back(&word[0]);
@@ -133,8 +133,7 @@ void FixNVESphereAB::advance(int i) {
     // Velocities before birth follow from the force at birth, held constant; forces stay unknown.
     for (int k = 1; k < order_; ++k)
       for (int d = 0; d < RATES; ++d)
-        history[k][d] =
-            d < ACCELERATION ? v[d] - k * dt * history[0][ACCELERATION + d] : 0.0;
+        history[k][d] = d < ACCELERATION ? v[d] - k * dt * history[0][ACCELERATION + d] : 0.0;
     state[TIMESTEP] = dt;
     state[ORDER] = order_;
   } else {
@@ -156,5 +155,6 @@ void FixNVESphereAB::advance(int i) {
     x[d] += increment(of_velocity, VELOCITY + d);
     v[d] += increment(of_force, ACCELERATION + d);
   }
-  for (int d = planar_ ? 2 : 0; d < 3; ++d) omega[d] += increment(of_force, ANGULAR_ACCELERATION + d);
+  for (int d = planar_ ? 2 : 0; d < 3; ++d)
+    omega[d] += increment(of_force, ANGULAR_ACCELERATION + d);
 }

@@ -25,8 +25,8 @@ class MultistepOptions : protected Pointers {
   void refuse(const char* keyword, const char* value, const char* expected) const;
 
   int order() const { return order_; }
-  /// True when only x, y and the rotation about z move: as the keyword says, or, with `auto`, when a
-  /// fix enforce2d keeps the scene planar or the simulation is two-dimensional.
+  /// True when only x, y and the rotation about z move: as the keyword says, or, with `auto`, when
+  /// a fix enforce2d keeps the scene planar or the simulation is two-dimensional.
   bool planar() const;
   /// True when planar() can never be false.
   bool always_planar() const { return planar_ == YES; }

@@ -19,7 +19,7 @@ using Vars = std::map<std::string, std::string>;
 
 const char* const deck = "verification/two_rods/in.two_rods";
 const char* const planar = "multisphere/ab order 3 planar yes";
-const Vars in_plane = {{"integrator", planar}, {"tilt", "1 0 0 0"}, {"flat", "1"}};
+const Vars in_plane = {{"integrator", planar}, {"tilt", "1 0 0 0"}};
 
 Table state_of(const Run& run) {
   EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -57,23 +57,30 @@ void expect_same(const Table& a, const Table& b, double relative) {
 
 }  // namespace
 
-// Both tend to the solution of the same equations; with a dashpot, whose force jumps at touch, either
-// does so to first order, so their distance halves with the step.
+// Both tend to the solution of the same equations. Built-in multisphere gives a new body half a
+// step of gravity too much, hence no gravity; without damping the force has only a kink at touch,
+// and both methods then converge to second order at least.
 TEST(MultisphereAb, TendsToTheTrajectoryOfBuiltInMultisphere) {
+  const double time = 0.01;  // the rods meet after 3.6 ms
   double distance[3];
   for (int i = 0; i < 3; ++i) {
-    const int steps = 2500 << i;
-    Vars vars = {{"timestep", std::to_string(0.02 / steps)}, {"steps", std::to_string(steps + 1)}};
+    const int steps = 1000 << i;
     char timestep[32];
-    std::snprintf(timestep, sizeof timestep, "%.17g", 0.02 / steps);
-    vars["timestep"] = timestep;
+    std::snprintf(timestep, sizeof timestep, "%.17g", time / steps);
+    Vars vars = {{"timestep", timestep},
+                 {"steps", std::to_string(steps + 1)},
+                 {"gravity", "0"},
+                 {"damping", "0"},
+                 {"friction", "0"}};
     vars["every"] = vars["steps"];
     const Table ab = state_of(run_liggghts(deck, vars));
+    EXPECT_LT(std::abs(ab.column("c_v[1]")[0]), 0.49);  // they did collide
     vars["integrator"] = "multisphere";
     distance[i] = largest_distance(ab, state_of(run_liggghts(deck, vars)));
   }
-  EXPECT_LT(distance[2], 0.35 * distance[0]) << distance[0] << " " << distance[1];
-  EXPECT_LT(distance[2], 2e-6);  // m, of 4 mm travelled after the collision
+  EXPECT_LT(distance[1], 0.4 * distance[0]) << distance[0];
+  EXPECT_LT(distance[2], 0.4 * distance[1]) << distance[0];
+  EXPECT_LT(distance[2], 1e-7);  // m, of 5 mm travelled
 }
 
 TEST(MultisphereAb, MomentumOfTwoCollidingBodiesIsConservedToRounding) {
@@ -86,14 +93,15 @@ TEST(MultisphereAb, MomentumOfTwoCollidingBodiesIsConservedToRounding) {
   EXPECT_LT(std::abs(state.column("c_v[1]")[0]), 0.4);  // they did collide
 }
 
+// Without friction: the built-in tangential law evaluates a sliding contact differently in set-up.
 TEST(MultisphereAb, RestartRepeatsTheUninterruptedRunToTheLastBit) {
   for (Vars vars : {Vars{}, in_plane}) {
-    // 460: in the middle of the collision
-    vars["save"] = "460";
+    vars["friction"] = "0";
+    vars["save"] = "460";  // in the middle of the collision
     const auto whole = run_liggghts(deck, vars);
     const Table expected = state_of(whole);
     vars["save"] = "0";
-    vars["restarted"] = "1";
+    vars["from"] = "460";
     const auto continued = run_liggghts_in(whole.folder, deck, vars);
     EXPECT_THAT(continued.output, testing::Not(testing::HasSubstr("starts anew")));
     expect_same(state_of(continued), expected, 0);
@@ -101,9 +109,8 @@ TEST(MultisphereAb, RestartRepeatsTheUninterruptedRunToTheLastBit) {
 }
 
 TEST(MultisphereAb, SecondRunCommandGoesOnAsIfThereWereNone) {
-  // `save` splits the run in two
-  const Table split = state_of(run_liggghts(deck, {{"save", "460"}}));
-  expect_same(split, state_of(run_liggghts(deck)), 0);
+  const Table split = state_of(run_liggghts(deck, {{"friction", "0"}, {"split", "460"}}));
+  expect_same(split, state_of(run_liggghts(deck, {{"friction", "0"}})), 0);
 }
 
 TEST(MultisphereAb, RanksAgreeWithOneRankToRounding) {
@@ -114,26 +121,29 @@ TEST(MultisphereAb, RanksAgreeWithOneRankToRounding) {
 }
 
 TEST(MultisphereAb, RestartFromBuiltInMultisphereStartsAnew) {
-  Vars vars = {{"integrator", "multisphere"}, {"save", "300"}, {"steps", "301"}};
-  const auto built_in = run_liggghts(deck, vars);
+  const auto built_in = run_liggghts(
+      deck, {{"integrator", "multisphere"}, {"save", "300"}, {"steps", "301"}, {"gravity", "0"}});
   ASSERT_EQ(built_in.exit_code, 0) << built_in.output;
-  const Table whole = state_of(run_liggghts(deck, {{"steps", "401"}}));
-  const auto run = run_liggghts_in(built_in.folder, deck, {{"restarted", "1"}, {"steps", "401"}});
+  const Vars end = {{"steps", "341"}, {"every", "341"}, {"gravity", "0"}};
+  const Table whole = state_of(run_liggghts(deck, end));
+  Vars vars = end;
+  vars["from"] = "300";
+  const auto run = run_liggghts_in(built_in.folder, deck, vars);
   EXPECT_THAT(run.output, testing::HasSubstr("starts anew"));
-  // free flight so far: positions differ by the rotation error of the built-in integrator only
-  EXPECT_LT(largest_distance(state_of(run), whole), 1e-8);
+  // free flight so far: the centres move uniformly whoever integrates them
+  EXPECT_LT(largest_distance(state_of(run), whole), 1e-15);
 }
 
 TEST(MultisphereAb, AnotherTimestepOrOrderInARestartStartsAnew) {
   const auto first = run_liggghts(deck, {{"save", "300"}, {"steps", "301"}});
   ASSERT_EQ(first.exit_code, 0) << first.output;
-  const auto same = run_liggghts_in(first.folder, deck, {{"restarted", "1"}, {"steps", "302"}});
+  const auto same = run_liggghts_in(first.folder, deck, {{"from", "300"}, {"steps", "302"}});
   EXPECT_THAT(same.output, testing::Not(testing::HasSubstr("starts anew")));
-  for (const Vars& change : {Vars{{"timestep", "5e-6"}},
-                             Vars{{"integrator", "multisphere/ab order 4"}},
-                             Vars{{"integrator", "multisphere/ab order 2"}}}) {
+  for (const Vars& change :
+       {Vars{{"timestep", "5e-6"}}, Vars{{"integrator", "multisphere/ab order 4"}},
+        Vars{{"integrator", "multisphere/ab order 2"}}}) {
     Vars vars = change;
-    vars["restarted"] = "1";
+    vars["from"] = "300";
     vars["steps"] = "401";
     const auto run = run_liggghts_in(first.folder, deck, vars);
     EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -163,11 +173,12 @@ TEST(MultisphereAb, WrongInputIsOneLineThatNamesIt) {
     }
     const std::string variable = "${integrator}";
     text.replace(text.find(variable), variable.size(), integrator);
-    for (size_t jump; (jump = text.find("jump")) != std::string::npos;) {  // needs a file to jump in
+    for (size_t jump;
+         (jump = text.find("jump")) != std::string::npos;) {  // needs a file to jump in
       const size_t line = text.rfind('\n', jump) + 1;
       text.erase(line, text.find('\n', jump) - line);
     }
-    text.erase(text.find("read_restart"), sizeof("read_restart  restart.bin") - 1);
+    text.erase(text.find("read_restart"), sizeof("read_restart  restart.${from}") - 1);
     const auto run = run_liggghts(text);
     EXPECT_NE(run.exit_code, 0) << integrator;
     EXPECT_THAT(run.output, testing::HasSubstr(message)) << integrator;

@@ -26,7 +26,8 @@ std::string ab(int order, const std::string& rest = "") {
   return "multisphere/ab order " + std::to_string(order) + rest;
 }
 
-/// Classical Runge-Kutta of fourth order in `steps` steps: the reference where no closed form exists.
+/// Classical Runge-Kutta of fourth order in `steps` steps: the reference where no closed form
+/// exists.
 State integrate(State y, double time, int steps, const std::function<State(const State&)>& rate) {
   const double h = time / steps;
   const auto at = [&](const State& k, double weight) {
@@ -66,8 +67,7 @@ Table last_state(const std::string& deck, const std::map<std::string, std::strin
 
 const double flight_time = 0.1;  // s
 
-Table fly(const std::string& integrator, int steps,
-          std::map<std::string, std::string> vars = {}) {
+Table fly(const std::string& integrator, int steps, std::map<std::string, std::string> vars = {}) {
   vars["integrator"] = integrator;
   vars["timestep"] = number(flight_time / steps);
   vars["steps"] = vars["every"] = std::to_string(steps + 1);  // born in step 1
@@ -93,8 +93,9 @@ TEST(MultisphereAb, FreeFallIsExactFromOrderTwoOn) {
 TEST(MultisphereAb, FreeRotationIsOfTheOrderAsked) {
   // deck: orientation (0.8, 0, 0.6, 0), so R = rotation about y by 2 atan(0.6/0.8); omega in space
   const double c = 0.28, s = 0.96, w[3] = {60, 9, -15};
-  const State exact = freely_rotating({0.8, 0, 0.6, 0}, {c * w[0] - s * w[2], w[1], s * w[0] + c * w[2]},
-                                      {1e-7, 2e-7, 4e-7}, flight_time);
+  const State exact =
+      freely_rotating({0.8, 0, 0.6, 0}, {c * w[0] - s * w[2], w[1], s * w[0] + c * w[2]},
+                      {1e-7, 2e-7, 4e-7}, flight_time);
   for (int order = 1; order <= 4; ++order) {
     double error[2];
     for (int fine = 0; fine < 2; ++fine) {
@@ -159,7 +160,8 @@ TEST(MultisphereAb, BodyBornMidRunMovesLikeOneBornAtTheStart) {
     if (name == "c_id") continue;
     const bool position = name.find("c_x") == 0;  // another place within 1e-9 of (0.05, 0, 0)
     const double shift = name == "c_x[1]" ? 0.05 : 0;
-    EXPECT_NEAR(late.column(name)[1] - shift, early.column(name)[0], position ? 2e-9 : 1e-13) << name;
+    EXPECT_NEAR(late.column(name)[1] - shift, early.column(name)[0], position ? 2e-9 : 1e-13)
+        << name;
   }
 }
 
@@ -181,10 +183,9 @@ TEST(MultisphereAb, BodyInElasticContactIsOfTheOrderAsked) {
       const Table state = last_state("rocking_body", {{"integrator", ab(order, " planar yes")},
                                                       {"timestep", number(time / steps)},
                                                       {"steps", std::to_string(steps + 1)}});
-      const double angle =
-          2 * std::atan2(state.column("c_q[4]")[0], state.column("c_q[1]")[0]);
-      error[fine] = std::hypot((state.column("c_x[2]")[0] - exact[0]) / 1e-4,
-                               (angle - exact[2]) / 4e-2);
+      const double angle = 2 * std::atan2(state.column("c_q[4]")[0], state.column("c_q[1]")[0]);
+      error[fine] =
+          std::hypot((state.column("c_x[2]")[0] - exact[0]) / 1e-4, (angle - exact[2]) / 4e-2);
     }
     EXPECT_NEAR(observed_order(error[0], error[1]), order, 0.1)
         << "order " << order << ", errors " << error[0] << " " << error[1];
