@@ -15,8 +15,9 @@ void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
 void add_files(CLI::App& command, Input& input, const std::string& kind) {
   command
       .add_option("dumps", input.patterns,
-                  "dump files of " + kind + ", plain or .gz; quoted wildcards are fine; they are "
-                  "ordered by timestep, and the last frame is used")
+                  "dump files of " + kind +
+                      ", plain or .gz; quoted wildcards are fine; they are "
+                      "ordered by timestep, and the last frame is used")
       ->required()
       ->type_name("FILE");
 }
@@ -50,8 +51,7 @@ void add_packing_options(CLI::App& command, Input& input) {
 }
 
 void add_output(CLI::App& command, std::string& stem) {
-  command
-      .add_option("-o,--output", stem, "start of the names of the files to write")
+  command.add_option("-o,--output", stem, "start of the names of the files to write")
       ->capture_default_str()
       ->type_name("STEM");
 }

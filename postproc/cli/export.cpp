@@ -14,10 +14,10 @@ void add_export(CLI::App& app) {
     double timestep = 0;
   };
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand(
-      "export",
-      "VTK files (.vtp) of every frame of dumps of bodies, spheres and contacts, told apart by their "
-      "columns, and one time index (.pvd) per kind.");
+  auto* command = app.add_subcommand("export",
+                                     "VTK files (.vtp) of every frame of dumps of bodies, spheres "
+                                     "and contacts, told apart by their "
+                                     "columns, and one time index (.pvd) per kind.");
   command->footer(
       "Example:\n"
       "  rodpack export 'results/quick/dumps/*.dump' -o vtk\n"
@@ -30,9 +30,10 @@ void add_export(CLI::App& app) {
       ->required()
       ->type_name("FILE");
   command
-      ->add_option("--timestep", options->timestep,
-                   "length of a timestep, s [default: parameters.json beside the dump or one folder "
-                   "up; unknown: the index counts timesteps]")
+      ->add_option(
+          "--timestep", options->timestep,
+          "length of a timestep, s [default: parameters.json beside the dump or one folder "
+          "up; unknown: the index counts timesteps]")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
   command->add_option("-o,--output", options->folder, "folder to write to")

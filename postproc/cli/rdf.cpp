@@ -16,11 +16,13 @@ void add_rdf(CLI::App& app) {
     std::string stem = "rdf";
   };
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand(
-      "rdf",
-      "Radial distribution function G(r) of the centres of mass. Centres lie further than (10 + AR) "
-      "d_p from the walls and from the surface of the bed (less in a small bed, and the report says "
-      "so); their neighbours count wherever they are. G tends to 1 at large r.");
+  auto* command =
+      app.add_subcommand("rdf",
+                         "Radial distribution function G(r) of the centres of mass. Centres lie "
+                         "further than (10 + AR) "
+                         "d_p from the walls and from the surface of the bed (less in a small bed, "
+                         "and the report says "
+                         "so); their neighbours count wherever they are. G tends to 1 at large r.");
   command->footer(
       "Example:\n"
       "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --r-max 15\n"
@@ -36,9 +38,10 @@ void add_rdf(CLI::App& app) {
       ->check(CLI::Range(1e-3, 1000.0))
       ->capture_default_str()
       ->type_name("R");
-  command->add_option("--margin", options->rdf.margin,
-                      "distance of the centres from walls and surface, in d_p [default: 10 + AR, at "
-                      "most a third of the bed's smaller extent]")
+  command
+      ->add_option("--margin", options->rdf.margin,
+                   "distance of the centres from walls and surface, in d_p [default: 10 + AR, at "
+                   "most a third of the bed's smaller extent]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("R");
   add_output(*command, options->stem);

@@ -19,10 +19,10 @@ void add_render(CLI::App& app) {
     std::string stem = "packing";
   };
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand(
-      "render",
-      "Picture of a packing: every primary sphere at its true size and place, shaded by the contact "
-      "force on it, with walls, colour bar and scale bar.");
+  auto* command = app.add_subcommand("render",
+                                     "Picture of a packing: every primary sphere at its true size "
+                                     "and place, shaded by the contact "
+                                     "force on it, with walls, colour bar and scale bar.");
   command->footer(
       "Examples:\n"
       "  rodpack render 'results/quick/dumps/spheres.*.dump'\n"
@@ -34,9 +34,10 @@ void add_render(CLI::App& app) {
                                                     {"orientation", SphereColour::orientation},
                                                     {"none", SphereColour::none}};
   command
-      ->add_option("--colour,--color", options->render.colour,
-                   "force: magnitude of the net contact force on the sphere; fsum: sum of the "
-                   "magnitudes of its contact forces; orientation: of the particle's long axis; none")
+      ->add_option(
+          "--colour,--color", options->render.colour,
+          "force: magnitude of the net contact force on the sphere; fsum: sum of the "
+          "magnitudes of its contact forces; orientation: of the particle's long axis; none")
       ->transform(CLI::CheckedTransformer(colours, CLI::ignore_case))
       ->type_name("NAME")
       ->default_str("force");

@@ -46,9 +46,10 @@ void analyse_rdf(const Packing& packing, const fs::path& out, Json& summary) {
   summary["rdf_tail_mean"] = rdf.tail_g;
   summary["rdf_tail_standard_error"] = rdf.tail_standard_error;
   if (rdf.margin_reduced)
-    summary["notes"].push_back("RDF: the bed is too small for centres (10 + AR) d_p away from walls "
-                               "and surface; a margin of " +
-                               number_text(rdf.margin, 3) + " d_p was used");
+    summary["notes"].push_back(
+        "RDF: the bed is too small for centres (10 + AR) d_p away from walls "
+        "and surface; a margin of " +
+        number_text(rdf.margin, 3) + " d_p was used");
 }
 
 void analyse_solid_fraction(const Packing& packing, const fs::path& out, Json& summary) {
@@ -118,9 +119,9 @@ void plot_energies(const std::string& energies_csv, const std::string& stem) {
                   "set key outside top center horizontal\nset autoscale xfix\n"
                   "positive(e) = e > 0 ? e : NaN\n"
                   "plot $energies using 1:(positive($2)) with lines linewidth 1.4 linecolor '" +
-                  colour::vermilion + "' title 'kinetic {/:Italic E}_k', " +
+                  colour::vermilion + "' title 'kinetic\u00a0{/:Italic E}_k', " +
                   "$energies using 1:(positive($3)) with lines linewidth 1.4 linecolor '" +
-                  colour::blue + "' title 'elastic {/:Italic E}_p'\n");
+                  colour::blue + "' title 'elastic\u00a0{/:Italic E}_p'\n");
 }
 
 Json analyse_run(const std::string& run_folder, bool all_frames) {
@@ -142,8 +143,7 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
   fs::create_directories(out, error);
   if (error) throw DataError(out.string() + ": cannot be created (" + error.message() + ")");
 
-  const double dt =
-      parameters.values.contains("timestep_s") ? parameters.number("timestep_s") : 0;
+  const double dt = parameters.values.contains("timestep_s") ? parameters.number("timestep_s") : 0;
   Json summary;
   summary["format"] = "rodpack-analysis 1";
   summary["timestep"] = packing.timestep;

@@ -7,8 +7,8 @@
 namespace rodpack {
 
 /// Gaussian kernel of the spatial averaging ("coarse graining" as Goldhirsch uses the word; not the
-/// parcel scaling of LIGGGHTS), physics.md section 5: exp(-|r|^2 / 2 w^2) / (2 pi w^2) is the product
-/// of this factor for x and for y. `scale`: w, m; result 1/m.
+/// parcel scaling of LIGGGHTS), physics.md section 5: exp(-|r|^2 / 2 w^2) / (2 pi w^2) is the
+/// product of this factor for x and for y. `scale`: w, m; result 1/m.
 inline double gaussian(double distance, double scale) {
   const double t = distance / scale;
   return std::exp(-0.5 * t * t) / (scale * 2.5066282746310002);

@@ -17,7 +17,9 @@ double folded(double value, double period) {
 }
 }  // namespace
 
-double gamma_degrees(double angle, bool curved) { return folded(angle / degree, curved ? 360 : 180); }
+double gamma_degrees(double angle, bool curved) {
+  return folded(angle / degree, curved ? 360 : 180);
+}
 
 NematicOrder nematic_order(const std::vector<double>& gamma) {
   if (gamma.empty()) throw TooFewParticles("no particle to take the nematic order of");
@@ -42,8 +44,8 @@ void OrientationSample::add(const Packing& packing) {
       ++spheres_;
       continue;
     }
-    const bool near_side = walls.sides && (packing.x[i] - walls.left < margin ||
-                                           walls.right - packing.x[i] < margin);
+    const bool near_side =
+        walls.sides && (packing.x[i] - walls.left < margin || walls.right - packing.x[i] < margin);
     const bool near_floor = walls.bottom && packing.y[i] - walls.floor < margin;
     if (near_side || near_floor) {
       ++near_walls_;
@@ -62,8 +64,8 @@ void OrientationSample::add(const Packing& packing) {
 OrientationDistribution OrientationSample::distribution(int bins) const {
   if (gamma_.empty())
     throw TooFewParticles("no particle to take the orientation of: " + std::to_string(spheres_) +
-                    " spheres have no axis, " + std::to_string(near_walls_) +
-                    " particles are closer than AR d_p to a wall");
+                          " spheres have no axis, " + std::to_string(near_walls_) +
+                          " particles are closer than AR d_p to a wall");
   OrientationDistribution result;
   result.curved = *curved_;
   result.range = result.curved ? 360 : 180;

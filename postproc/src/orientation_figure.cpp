@@ -25,12 +25,12 @@ void plot_orientation_linear(const OrientationDistribution& distribution, const 
   draw_figure(
       stem, 1.4,
       datablock("h", {distribution.centre, distribution.density, distribution.standard_error}) +
-          "set xlabel 'orientation {/:Italic γ} (°)'\n"
+          "set xlabel 'orientation\u00a0{/:Italic γ}\u00a0(°)'\n"
           "set ylabel 'probability density (1/°)'\n"
-          "set xrange [0:" + range + "]\n" +
-          "set yrange [0:" + number_text(1.08 * largest(distribution)) + "]\n" +
-          "set xtics " + (distribution.curved ? "60" : "30") + "\n" +
-          "set boxwidth " + number_text(width) + "\n" +
+          "set xrange [0:" +
+          range + "]\n" + "set yrange [0:" + number_text(1.08 * largest(distribution)) + "]\n" +
+          "set xtics " + (distribution.curved ? "60" : "30") + "\n" + "set boxwidth " +
+          number_text(width) + "\n" +
           "set key outside top right horizontal\n"
           "plot $h using 1:2 with boxes linecolor '#8CBBD9', "
           "$h using 1:2:3 with yerrorbars pointtype 7 pointsize 0.4 linewidth 0.8 linecolor '" +
@@ -41,8 +41,9 @@ void plot_orientation_linear(const OrientationDistribution& distribution, const 
 void plot_orientation_polar(const OrientationDistribution& distribution, const std::string& stem) {
   const double width = distribution.range / static_cast<double>(distribution.centre.size());
   const double step = round_step(largest(distribution) / 2);
-  const double outer = step * std::ceil(*std::max_element(distribution.density.begin(),
-                                                          distribution.density.end()) / step);
+  const double outer =
+      step *
+      std::ceil(*std::max_element(distribution.density.begin(), distribution.density.end()) / step);
   const bool half = !distribution.curved;
   const double bottom = half ? -0.24 : -1.36;
 
@@ -51,8 +52,8 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
     std::string points;
     for (int s = 0; s <= pieces; ++s) {
       const double angle = (from + (to - from) * s / pieces) * degree;
-      points += number_text(radius * std::cos(angle)) + " " + number_text(radius * std::sin(angle)) +
-                "\n";
+      points += number_text(radius * std::cos(angle)) + " " +
+                number_text(radius * std::sin(angle)) + "\n";
     }
     return points;
   };
@@ -70,7 +71,7 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
     const double radius = ring * step / outer;
     grid += arc(radius, 0, half ? 180 : 360, half ? 90 : 180) + "\n";
     // Half rose: under the base line; full rose: between two spokes.
-    const double tilt = half ? 0 : 15 * degree;
+    const double tilt = half ? 0 : 45 * degree;
     labels += "set label '{/*0.8 " + number_text(ring * step, 3) + "}' at " +
               number_text(radius * std::cos(tilt)) + "," +
               number_text(half ? -0.06 : radius * std::sin(tilt)) +
@@ -90,10 +91,12 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
               sectors + grid + labels +
                   "unset border\nunset tics\nset lmargin 1\nset rmargin 1\nset tmargin 0.5\n"
                   "set bmargin 0.5\nset size ratio -1\n"
-                  "set xrange [-1.25:1.25]\nset yrange [" + number_text(bottom) + ":1.2]\n" +
+                  "set xrange [-1.25:1.25]\nset yrange [" +
+                  number_text(bottom) + ":1.2]\n" +
                   "plot $sectors using 1:2 with filledcurves closed linecolor '#8CBBD9', "
                   "$sectors using 1:2 with lines linewidth 0.7 linecolor '" +
-                  colour::blue + "', $grid using 1:2 with lines linewidth 0.6 linecolor '#A0A0A0'\n");
+                  colour::blue +
+                  "', $grid using 1:2 with lines linewidth 0.6 linecolor '#A0A0A0'\n");
 }
 
 }  // namespace rodpack

@@ -11,7 +11,8 @@ namespace rodpack {
 namespace {
 
 double positive(double value, const std::string& what) {
-  if (!(value > 0)) throw DataError(what + ": expected a positive value, found " + number_text(value));
+  if (!(value > 0))
+    throw DataError(what + ": expected a positive value, found " + number_text(value));
   return value;
 }
 
@@ -69,10 +70,9 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
   };
   const double mean_diameter =
       2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(frame.rows);
-  packing.particle_diameter =
-      positive(first_of(options.particle_diameter, from_parameters("particle_diameter_m"),
-                        mean_diameter),
-               where + ": particle diameter");
+  packing.particle_diameter = positive(
+      first_of(options.particle_diameter, from_parameters("particle_diameter_m"), mean_diameter),
+      where + ": particle diameter");
   const double longest = 2 * *std::max_element(half_length.begin(), half_length.end());
   packing.aspect_ratio = positive(first_of(options.aspect_ratio, from_parameters("aspect_ratio"),
                                            longest / packing.particle_diameter),
@@ -86,7 +86,8 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
 double bed_surface(const std::vector<double>& y, const std::vector<double>& area, double floor,
                    double width, double layer) {
   const double top = *std::max_element(y.begin(), y.end());
-  const auto layers = static_cast<std::size_t>(std::max(0.0, std::floor((top - floor) / layer))) + 1;
+  const auto layers =
+      static_cast<std::size_t>(std::max(0.0, std::floor((top - floor) / layer))) + 1;
   std::vector<double> fraction(layers + 1, 0.0);  // the last one stays empty
   for (std::size_t i = 0; i < y.size(); ++i) {
     const double index = std::max(0.0, std::floor((y[i] - floor) / layer));

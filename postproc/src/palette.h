@@ -23,16 +23,17 @@ inline constexpr std::array<Rgb, 9> viridis{{{68, 1, 84},
                                              {170, 220, 50},
                                              {253, 231, 37}}};
 
-/// Cyclic ("twilight"), for angles: both ends are the same colour.
-inline constexpr std::array<Rgb, 9> twilight{{{226, 217, 226},
-                                              {158, 187, 201},
-                                              {103, 133, 190},
-                                              {94, 67, 165},
-                                              {47, 20, 54},
+/// Cyclic ("twilight", shifted), for angles: both ends are the same colour, dark so that the flat
+/// majority keeps clear of the white background.
+inline constexpr std::array<Rgb, 9> twilight{{{47, 20, 54},
                                               {130, 31, 79},
                                               {178, 81, 82},
                                               {204, 156, 133},
-                                              {226, 217, 226}}};
+                                              {226, 217, 226},
+                                              {158, 187, 201},
+                                              {103, 133, 190},
+                                              {94, 67, 165},
+                                              {47, 20, 54}}};
 
 /// Colour at `position` in [0, 1] (clamped), as "#rrggbb".
 inline std::string palette_colour(const std::array<Rgb, 9>& knots, double position) {
@@ -41,7 +42,8 @@ inline std::string palette_colour(const std::array<Rgb, 9>& knots, double positi
   const double part = at - static_cast<double>(k);
   int channel[3];
   for (std::size_t c = 0; c < 3; ++c)
-    channel[c] = static_cast<int>(std::lround(knots[k][c] + part * (knots[k + 1][c] - knots[k][c])));
+    channel[c] =
+        static_cast<int>(std::lround(knots[k][c] + part * (knots[k + 1][c] - knots[k][c])));
   char text[8];
   std::snprintf(text, sizeof text, "#%02x%02x%02x", channel[0], channel[1], channel[2]);
   return text;

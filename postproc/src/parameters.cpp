@@ -20,7 +20,8 @@ RunParameters read_parameters(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw DataError(file + ": no such file, or it cannot be read");
   auto values = nlohmann::json::parse(in, nullptr, false);
-  if (!values.is_object()) throw DataError(file + ": expected a JSON object { \"key\": value, ... }");
+  if (!values.is_object())
+    throw DataError(file + ": expected a JSON object { \"key\": value, ... }");
   return {file, std::move(values)};
 }
 

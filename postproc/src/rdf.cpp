@@ -68,8 +68,8 @@ double quarter_disc_area(double r, double a, double b) {
 }
 
 RdfSample::RdfSample(const RdfOptions& options) : options_(options) {
-  const auto bins = static_cast<std::size_t>(
-      std::ceil(options.largest_distance / options.bin_width - 1e-9));
+  const auto bins =
+      static_cast<std::size_t>(std::ceil(options.largest_distance / options.bin_width - 1e-9));
   pairs_.assign(bins, 0);
   variance_.assign(bins, 0);
   density_variance_.assign(bins, 0);
@@ -118,10 +118,11 @@ void RdfSample::add(const Packing& packing) {
     }
   }
   if (centres.size() < 2 || region.right <= region.left || region.top <= region.bottom)
-    throw TooFewParticles("RDF: fewer than 2 particles lie further than " + number_text(margin / d, 4) +
-                    " d_p from the walls and from the surface of the bed, which is " +
-                    number_text(walls.width() / d, 4) + " d_p wide and " +
-                    number_text((packing.surface - walls.floor) / d, 4) + " d_p high");
+    throw TooFewParticles("RDF: fewer than 2 particles lie further than " +
+                          number_text(margin / d, 4) +
+                          " d_p from the walls and from the surface of the bed, which is " +
+                          number_text(walls.width() / d, 4) + " d_p wide and " +
+                          number_text((packing.surface - walls.floor) / d, 4) + " d_p high");
   const double region_area = region.area();
   const double density = static_cast<double>(centres.size()) / region_area;
   if (!walls.sides)  // endless in x
@@ -161,8 +162,8 @@ void RdfSample::add(const Packing& packing) {
   }
 
   // rho comes from the region, the neighbours also from around it. A particle at x changes G by the
-  // fraction h(x) / (rings of all centres) - [x is a centre] / (number of centres), where h(x) is the
-  // area of the ring around x inside the region; independent particles add up in quadrature.
+  // fraction h(x) / (rings of all centres) - [x is a centre] / (number of centres), where h(x) is
+  // the area of the ring around x inside the region; independent particles add up in quadrature.
   for (std::size_t i = 0; i < points.x.size(); ++i) {
     if (!points.is_original[i]) continue;
     const auto areas = ring_areas(region, points.x[i], points.y[i]);
@@ -193,8 +194,8 @@ Rdf RdfSample::result() const {
     rdf.r.push_back((static_cast<double>(k) + 0.5) * options_.bin_width);
     const bool seen = expected_[k] > 0;
     rdf.g.push_back(seen ? pairs_[k] / expected_[k] : 0);
-    rdf.standard_error.push_back(seen ? std::sqrt(variance_[k] + density_variance_[k]) / expected_[k]
-                                      : 0);
+    rdf.standard_error.push_back(
+        seen ? std::sqrt(variance_[k] + density_variance_[k]) / expected_[k] : 0);
   }
   // The deviation of the density is common to all bins, so its standard errors add up.
   double pairs = 0, variance = 0, density_error = 0, expected = 0;
@@ -205,7 +206,7 @@ Rdf RdfSample::result() const {
     expected += expected_[k];
   }
   rdf.tail_g = expected > 0 ? pairs / expected : 0;
-  rdf.tail_standard_error = 
+  rdf.tail_standard_error =
       expected > 0 ? std::sqrt(variance + density_error * density_error) / expected : 0;
   return rdf;
 }
@@ -221,12 +222,13 @@ void plot_rdf(const Rdf& rdf, const std::string& stem) {
   const std::string style = std::string(" linecolor '") + colour::blue + "'";
   draw_figure(stem, 1.4,
               datablock("g", {rdf.r, rdf.g, rdf.standard_error}) +
-                  "set xlabel 'distance {/:Italic r} / {/:Italic d}_p'\n"
-                  "set ylabel 'radial distribution function {/:Italic G}({/:Italic r})'\n"
+                  "set xlabel 'distance\u00a0{/:Italic r}\u00a0/\u00a0{/:Italic d}_p'\n"
+                  "set ylabel 'radial distribution function\u00a0{/:Italic G}({/:Italic r})'\n"
                   "set yrange [0:*]\nset xrange [0:" +
                   number_text(rdf.r.back() + rdf.r.front()) +
                   "]\n"
-                  "plot 1 with lines dashtype 2 linewidth 1 linecolor '" + colour::grey + "', " +
+                  "plot 1 with lines dashtype 2 linewidth 1 linecolor '" +
+                  colour::grey + "', " +
                   "$g using 1:($2-$3):($2+$3) with filledcurves fillstyle transparent solid 0.25" +
                   style + " title '± standard error', $g using 1:2 with lines linewidth 1.3" +
                   style + " title '{/:Italic G}({/:Italic r})'\n");

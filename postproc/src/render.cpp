@@ -37,10 +37,9 @@ struct ColourScale {
 
 ColourScale orientation_scale(const Frame& spheres) {
   ColourScale scale;
-  const double period =
-      spheres.periodic[0] ? spheres.bounds[0][1] - spheres.bounds[0][0] : 0;
-  scale.values = long_axis_degrees(spheres.column("body"), spheres.column("x"),
-                                   spheres.column("y"), period);
+  const double period = spheres.periodic[0] ? spheres.bounds[0][1] - spheres.bounds[0][0] : 0;
+  scale.values =
+      long_axis_degrees(spheres.column("body"), spheres.column("x"), spheres.column("y"), period);
   scale.highest = 180;
   scale.tick = 45;
   scale.palette = &twilight;
@@ -241,8 +240,8 @@ void render_spheres(const Frame& spheres, const RenderOptions& options, const st
     scale = force_scale(spheres, options.colour, options.largest);
 
   const double longer = std::max(width, height);
-  const double pixels = options.pixels > 0 ? options.pixels
-                                           : std::clamp(8 * longer / diameter, 1200.0, 4000.0);
+  const double pixels =
+      options.pixels > 0 ? options.pixels : std::clamp(8 * longer / diameter, 1200.0, 4000.0);
   const double per_metre = pixels / longer;
   const double draw_width = width * per_metre;
   const double draw_height = height * per_metre;
@@ -255,8 +254,9 @@ void render_spheres(const Frame& spheres, const RenderOptions& options, const st
   const double total_height = bottom + 2.6 * font;
 
   Drawing drawing;
-  drawing.raw("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + Drawing::at(std::ceil(total_width)) +
-              "\" height=\"" + Drawing::at(std::ceil(total_height)) +
+  drawing.raw("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+              Drawing::at(std::ceil(total_width)) + "\" height=\"" +
+              Drawing::at(std::ceil(total_height)) +
               "\" font-family=\"DejaVu Sans, sans-serif\" fill=\"#202020\">");
   drawing.rectangle(0, 0, total_width + 1, total_height + 1, "fill=\"#ffffff\"");
   drawing.raw("<clipPath id=\"window\">");

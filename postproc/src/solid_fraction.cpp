@@ -27,8 +27,7 @@ SolidFraction solid_fraction(const Packing& packing) {
     share[i] = packing.area[i] * gaussian_integral(-x, width - x, field.scale) / width;
     if (!walls.sides)
       for (const double image : {x - walls.width(), x + walls.width()})
-        share[i] +=
-            packing.area[i] * gaussian_integral(-image, width - image, field.scale) / width;
+        share[i] += packing.area[i] * gaussian_integral(-image, width - image, field.scale) / width;
   }
 
   const auto mean = [&](double from, double to) -> std::optional<double> {
@@ -72,12 +71,12 @@ void plot_solid_fraction(const SolidFraction& field, double particle_diameter, d
             number_text((field.surface - floor) / particle_diameter) +
             " behind fillstyle solid noborder fillcolor '#EEEEEE'\n"
             "set label 'mean over the grey range:' at graph 0.05, 0.55\n"
-            "set label '{/:Italic φ} = " +
+            "set label '{/:Italic φ}\u00a0= " +
             number_text(*field.up_to_surface, 3) + "' at graph 0.05, 0.49\n";
   draw_figure(stem, 1.0,
               datablock("phi", {height, field.phi}) + range +
-                  "set xlabel 'solid fraction {/:Italic φ}'\n"
-                  "set ylabel 'height above the floor / {/:Italic d}_p'\n"
+                  "set xlabel 'solid fraction\u00a0{/:Italic φ}'\n"
+                  "set ylabel 'height above the floor /\u00a0{/:Italic d}_p'\n"
                   "set xrange [0:1]\nset yrange [0:" +
                   number_text(height.back()) +
                   "]\n"

@@ -33,9 +33,9 @@ constexpr VectorColumns vectors[] = {
 
 const std::map<std::string, std::string>& units() {
   static const std::map<std::string, std::string> table{
-      {"angle", "rad"},     {"curvature", "rad"},   {"half_length", "m"}, {"radius", "m"},
-      {"area", "m2"},       {"mass", "kg"},         {"fsum", "N"},        {"overlap_n", "m"},
-      {"overlap_t", "m"}};
+      {"angle", "rad"}, {"curvature", "rad"}, {"half_length", "m"},
+      {"radius", "m"},  {"area", "m2"},       {"mass", "kg"},
+      {"fsum", "N"},    {"overlap_n", "m"},   {"overlap_t", "m"}};
   return table;
 }
 
@@ -80,9 +80,10 @@ DumpKind kind_of(const Frame& frame) {
   if (frame.has("body_i")) return DumpKind::contacts;
   if (frame.has("body")) return DumpKind::spheres;
   if (frame.has("half_length")) return DumpKind::bodies;
-  throw DataError(frame.file + ":" + std::to_string(frame.header_line) +
-                  ": expected a dump of bodies (column 'half_length'), spheres ('body') or contacts "
-                  "('body_i')");
+  throw DataError(
+      frame.file + ":" + std::to_string(frame.header_line) +
+      ": expected a dump of bodies (column 'half_length'), spheres ('body') or contacts "
+      "('body_i')");
 }
 
 std::string kind_name(DumpKind kind) {
@@ -98,7 +99,8 @@ void write_vtp(const Frame& frame, DumpKind kind, const std::string& file) {
   const bool lines = kind == DumpKind::contacts;
   const auto rows = static_cast<vtkIdType>(frame.rows);
   if (lines) {
-    for (const auto& ends : {std::array<const char*, 3>{"bix", "biy", "biz"}, {"bjx", "bjy", "bjz"}}) {
+    for (const auto& ends :
+         {std::array<const char*, 3>{"bix", "biy", "biz"}, {"bjx", "bjy", "bjz"}}) {
       const auto array = vector_array(frame, "", ends);
       for (vtkIdType i = 0; i < rows; ++i) points->InsertNextPoint(array->GetTuple(i));
       used.insert(ends.begin(), ends.end());
@@ -166,7 +168,8 @@ std::vector<std::string> export_vtk(const std::vector<std::string>& files,
     for (const auto& [timestep, name] : frames) {
       const double time = timestep_s > 0 ? static_cast<double>(timestep) * timestep_s
                                          : static_cast<double>(timestep);
-      text += "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
+      text +=
+          "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
     }
     const auto path = (std::filesystem::path(folder) / (kind_name(kind) + ".pvd")).string();
     write_text(path, text + "</Collection>\n</VTKFile>\n");

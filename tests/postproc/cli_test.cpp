@@ -91,9 +91,10 @@ TEST(CommandLine, MissingColumnIsNamed) {
   put(folder / "spheres.dump", small_packing().spheres_frame(1));
   const auto run = rodpack_command("orientation spheres.dump", folder);
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(run.output,
-            "rodpack: spheres.dump:9: no column 'angle'; the columns are: id body type x y z radius "
-            "fx fy fz fsum\n");
+  EXPECT_EQ(
+      run.output,
+      "rodpack: spheres.dump:9: no column 'angle'; the columns are: id body type x y z radius "
+      "fx fy fz fsum\n");
 }
 
 TEST(Orientation, WritesTableAndFigures) {
@@ -131,12 +132,16 @@ TEST(RdfCommand, WritesTableAndFigure) {
 TEST(Render, KeepsTheAspectRatioOfTheWindow) {
   const auto folder = fresh_folder();
   put(folder / "s.dump", small_packing().spheres_frame(1));
-  // Without colour bar the margins are the same left and right, so a window twice as wide as another
-  // is drawn with twice the width inside the margins.
-  ASSERT_EQ(rodpack_command("render s.dump --colour none --window 0 0.1 0 0.1 --pixels 500 -o a",
-                            folder).exit_code, 0);
-  ASSERT_EQ(rodpack_command("render s.dump --colour none --window 0 0.1 0 0.05 --pixels 500 -o b",
-                            folder).exit_code, 0);
+  // Without colour bar the margins are the same left and right, so a window twice as wide as
+  // another is drawn with twice the width inside the margins.
+  ASSERT_EQ(
+      rodpack_command("render s.dump --colour none --window 0 0.1 0 0.1 --pixels 500 -o a", folder)
+          .exit_code,
+      0);
+  ASSERT_EQ(
+      rodpack_command("render s.dump --colour none --window 0 0.1 0 0.05 --pixels 500 -o b", folder)
+          .exit_code,
+      0);
   const auto text = content(folder / "b.svg");
   const auto clip = text.substr(text.find("<clipPath"));
   EXPECT_THAT(clip.substr(0, 200), HasSubstr("width=\"500\" height=\"250\""));
@@ -181,8 +186,8 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
     const auto run = rodpack_command("analyse '" + run_folder.string() + "'");
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const auto out = run_folder / "analysis";
-    for (const std::string stem : {"orientation", "orientation_polar", "rdf", "solid_fraction",
-                                   "energies", "packing"}) {
+    for (const std::string stem :
+         {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing"}) {
       EXPECT_GT(png_size(out / (stem + ".png")).width, 1000U) << stem;
       EXPECT_THAT(content(out / (stem + ".svg")), HasSubstr("</svg>")) << stem;
     }

@@ -67,7 +67,8 @@ TEST(DumpReader, GzipFilesReadLikePlainOnesAndADamagedOneIsReported) {
   const auto folder = fresh_folder();
   const auto file = (folder / "a.dump.gz").string();
   std::string rows;
-  for (int i = 1; i <= 2000; ++i) rows += std::to_string(i) + " 0." + std::to_string(i * i) + " 1\n";
+  for (int i = 1; i <= 2000; ++i)
+    rows += std::to_string(i) + " 0." + std::to_string(i * i) + " 1\n";
   const auto text = frame_of(5, rows, 2000);
   gzFile out = gzopen(file.c_str(), "wb");
   gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
@@ -115,10 +116,10 @@ TEST(FindDumps, WildcardsAreOrderedByTimestepNotByName) {
   const auto folder = fresh_folder();
   for (const long step : {900L, 1000L, 20000L})
     put(folder / ("bodies." + std::to_string(step) + ".dump"), frame_of(step, "", 0));
-  const auto files = find_dumps({(folder / "bodies.*.dump").string(),
-                                 (folder / "bodies.900.dump").string()});
-  EXPECT_THAT(files, ElementsAre(EndsWith(".900.dump"), EndsWith(".1000.dump"),
-                                 EndsWith(".20000.dump")));
+  const auto files =
+      find_dumps({(folder / "bodies.*.dump").string(), (folder / "bodies.900.dump").string()});
+  EXPECT_THAT(files,
+              ElementsAre(EndsWith(".900.dump"), EndsWith(".1000.dump"), EndsWith(".20000.dump")));
   EXPECT_EQ(last_frame(files).timestep, 20000);
 }
 

@@ -95,8 +95,8 @@ TEST(OrientationSample, ParticlesCloserThanAnAxialLengthToAWallAreLeftOut) {
 
 TEST(OrientationSample, DensityIntegratesToOneAndErrorIsBinomial) {
   auto packing = empty_packing();
-  for (int i = 0; i < 30; ++i) add_rod(packing, 10, 10, 10);    // bin 0 of [0, 45)
-  for (int i = 0; i < 10; ++i) add_rod(packing, 10, 10, 270);   // folds to 90: bin 2
+  for (int i = 0; i < 30; ++i) add_rod(packing, 10, 10, 10);   // bin 0 of [0, 45)
+  for (int i = 0; i < 10; ++i) add_rod(packing, 10, 10, 270);  // folds to 90: bin 2
   OrientationSample sample;
   sample.add(packing);
   const auto result = sample.distribution(4);

@@ -117,9 +117,9 @@ TEST(BedSurface, DoesNotSeeParticlesThatStillFall) {
 }
 
 // In an even bed far from its edges the coarse-grained field is the area per area, 0.8. Towards the
-// surface it loses the kernel's tail t(z) at depth z, whose integral is w / sqrt(2 pi); the bed's rows,
-// h = 0.1 apart, sum it by the midpoint rule, which adds h^2/24 t'(0) = -h^2 / (24 w sqrt(2 pi)).
-// With d_p = 0.05, AR = 1: w = 0.15, the mean starts at 3 w = 0.45.
+// surface it loses the kernel's tail t(z) at depth z, whose integral is w / sqrt(2 pi); the bed's
+// rows, h = 0.1 apart, sum it by the midpoint rule, which adds h^2/24 t'(0) = -h^2 / (24 w sqrt(2
+// pi)). With d_p = 0.05, AR = 1: w = 0.15, the mean starts at 3 w = 0.45.
 TEST(SolidFraction, EvenBedMatchesAreaPerAreaAndTheKernelsTail) {
   const Bed bed;
   Packing packing;

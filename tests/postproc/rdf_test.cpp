@@ -39,8 +39,8 @@ void expect_ideal(const Rdf& rdf) {
 }
 
 TEST(QuarterDiscArea, MatchesClosedForms) {
-  EXPECT_NEAR(quarter_disc_area(2, 5, 5), pi, 1e-12);   // whole quarter: pi r^2 / 4
-  EXPECT_NEAR(quarter_disc_area(5, 1, 2), 2, 1e-12);    // whole rectangle
+  EXPECT_NEAR(quarter_disc_area(2, 5, 5), pi, 1e-12);  // whole quarter: pi r^2 / 4
+  EXPECT_NEAR(quarter_disc_area(5, 1, 2), 2, 1e-12);   // whole rectangle
   EXPECT_NEAR(quarter_disc_area(1, 0, 1), 0, 1e-12);
   // Cut at x = r/2: half of the strip = (r^2/2)(t + sin t cos t) with sin t = 1/2.
   const double t = pi / 6;
@@ -108,8 +108,8 @@ TEST(Rdf, StandardErrorIsTheSpreadOverManySamples) {
 }
 
 // Square lattice of unit spacing: 4 neighbours at 1, 4 at sqrt 2, 4 at 2, 8 at sqrt 5, 4 at sqrt 8.
-// 38 x 38 sites lie further than 11 from the walls of a 60 x 60 box, a region of area 38^2: rho = 1,
-// so g of a bin is the number of neighbours over the area of its ring.
+// 38 x 38 sites lie further than 11 from the walls of a 60 x 60 box, a region of area 38^2: rho =
+// 1, so g of a bin is the number of neighbours over the area of its ring.
 TEST(Rdf, SquareLatticeHasItsShellsAndNothingBetween) {
   auto packing = box(60, 60);
   for (int i = 0; i < 60; ++i)

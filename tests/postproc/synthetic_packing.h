@@ -25,8 +25,9 @@ inline std::string frame_head(long timestep, std::size_t rows, double width, dou
                               const std::string& columns, const std::string& flags = "ff ff pp") {
   std::ostringstream out;
   const bool contacts = columns.rfind("body_i", 0) == 0;
-  out << "ITEM: TIMESTEP\n" << timestep << "\nITEM: NUMBER OF " << (contacts ? "ENTRIES" : "ATOMS")
-      << '\n' << rows << "\nITEM: BOX BOUNDS " << flags << "\n0 " << width << "\n0 " << height
+  out << "ITEM: TIMESTEP\n"
+      << timestep << "\nITEM: NUMBER OF " << (contacts ? "ENTRIES" : "ATOMS") << '\n'
+      << rows << "\nITEM: BOX BOUNDS " << flags << "\n0 " << width << "\n0 " << height
       << "\n-0.01 0.01\nITEM: " << (contacts ? "ENTRIES " : "ATOMS ") << columns << '\n';
   return out.str();
 }
@@ -72,9 +73,10 @@ struct SyntheticPacking {
           for (const auto& centre : local) {
             const double load = -std::log(1 - uniform(random)) * (1 + 20 * (height - y));
             ++sphere_count;
-            sphere_rows << sphere_count << ' ' << body_count << " 1 " << x + c * centre[0] - s * centre[1]
-                        << ' ' << y + s * centre[0] + c * centre[1] << " 0 " << shape.diameter / 2
-                        << ' ' << 1e-3 * load << ' ' << -2e-3 * load << " 0 " << 5e-3 * load << '\n';
+            sphere_rows << sphere_count << ' ' << body_count << " 1 "
+                        << x + c * centre[0] - s * centre[1] << ' '
+                        << y + s * centre[0] + c * centre[1] << " 0 " << shape.diameter / 2 << ' '
+                        << 1e-3 * load << ' ' << -2e-3 * load << " 0 " << 5e-3 * load << '\n';
           }
           body_rows << body_count << " 1 " << local.size() << ' ' << x << ' ' << y << " 0 " << angle
                     << " 0 0 0 0 0 0 1 0 0 0 " << length / 2 << ' ' << shape.diameter / 2 << ' '
@@ -101,8 +103,7 @@ struct SyntheticPacking {
            bodies;
   }
   std::string spheres_frame(long timestep) const {
-    return frame_head(timestep, sphere_count, width, 2,
-                      "id body type x y z radius fx fy fz fsum") +
+    return frame_head(timestep, sphere_count, width, 2, "id body type x y z radius fx fy fz fsum") +
            spheres;
   }
   std::string contacts_frame(long timestep) const {

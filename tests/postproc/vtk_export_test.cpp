@@ -65,9 +65,9 @@ TEST_F(VtkExport, SpheresReadBackWithPositionsRadiiAndForces) {
 TEST_F(VtkExport, BodiesCarryVelocityAngleAndShapeWithUnits) {
   const auto data = read_back(folder / "vtk" / "bodies.1000.vtp");
   EXPECT_EQ(data->GetNumberOfPoints(), static_cast<vtkIdType>(packing.body_count));
-  for (const char* name : {"id", "type", "nspheres", "velocity_m_s", "angular_velocity_rad_s",
-                           "angle_rad", "half_length_m", "radius_m", "curvature_rad", "area_m2",
-                           "mass_kg"})
+  for (const char* name :
+       {"id", "type", "nspheres", "velocity_m_s", "angular_velocity_rad_s", "angle_rad",
+        "half_length_m", "radius_m", "curvature_rad", "area_m2", "mass_kg"})
     EXPECT_TRUE(data->GetPointData()->HasArray(name)) << name;
 }
 

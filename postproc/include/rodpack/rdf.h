@@ -33,14 +33,14 @@ struct Rdf {
 ///
 /// Centres lie further than (10 + AR) d_p from side walls, floor and surface; rho is their number
 /// per area. In a bed too small for that the margin shrinks to a third of the bed's smaller extent,
-/// and `margin_reduced` says so. Neighbours count wherever they are, up to AR d_p (or the margin, if
-/// smaller) from walls and surface, where the layering along the walls begins; 2 pi r dr is the part
-/// of the ring inside that window, so that G tends to 1 for every r. With r <= 10 d_p and the full
-/// margin every ring is complete.
+/// and `margin_reduced` says so. Neighbours count wherever they are, up to AR d_p (or the margin,
+/// if smaller) from walls and surface, where the layering along the walls begins; 2 pi r dr is the
+/// part of the ring inside that window, so that G tends to 1 for every r. With r <= 10 d_p and the
+/// full margin every ring is complete.
 ///
-/// The standard error holds for independent particles, an upper bound at large r for dense packings,
-/// whose density fluctuates less: the number of distinct pairs, and the scatter of rho, which is
-/// common to all bins.
+/// The standard error holds for independent particles, an upper bound at large r for dense
+/// packings, whose density fluctuates less: the number of distinct pairs, and the scatter of rho,
+/// which is common to all bins.
 class RdfSample {
  public:
   explicit RdfSample(const RdfOptions& options);
@@ -54,7 +54,7 @@ class RdfSample {
   std::vector<double> pairs_;
   std::vector<double> variance_;  // of pairs_: a pair of two centres is one event that counts twice
   std::vector<double> density_variance_;  // of pairs_, from the scatter of rho
-  std::vector<double> expected_;  // pairs of an ideal gas: rho times area of the rings
+  std::vector<double> expected_;          // pairs of an ideal gas: rho times area of the rings
   std::size_t centres_ = 0;
   double region_area_ = 0;
   double margin_ = -1;

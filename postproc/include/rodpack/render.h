@@ -33,7 +33,8 @@ struct RenderOptions {
 /// @throws DataError when a column is missing, no sphere lies in the window, or drawing fails.
 void render_spheres(const Frame& spheres, const RenderOptions& options, const std::string& stem);
 
-/// d_p of a frame of the spheres' dump, m: the options, else parameters.json, else the mean 2 radius.
+/// d_p of a frame of the spheres' dump, m: the options, else parameters.json, else the mean 2
+/// radius.
 double sphere_diameter(const Frame& spheres, const PackingOptions& options);
 
 /// Direction of the long axis of each sphere's particle, degrees in [0, 180): the larger principal

@@ -10,16 +10,16 @@
 
 namespace rodpack {
 
-/// Coarse-grained solid fraction in the central vertical slice (physics.md section 5), averaged over
-/// the slice's width 2 AR d_p in closed form, with w = 3 AR d_p.
+/// Coarse-grained solid fraction in the central vertical slice (physics.md section 5), averaged
+/// over the slice's width 2 AR d_p in closed form, with w = 3 AR d_p.
 struct SolidFraction {
-  double scale = 0;            // w, m
-  double lowest = 0;           // y from which the means start: 3 w above the floor, m
-  double surface = 0;          // y of the bed's surface, m
-  std::vector<double> height;  // above the floor, m
-  std::vector<double> phi;     // one per height
-  std::optional<double> up_to_surface;          // mean; none when the bed is lower than 3 w
-  std::optional<double> up_to_3_scales_below;   // mean up to 3 w below the surface
+  double scale = 0;                     // w, m
+  double lowest = 0;                    // y from which the means start: 3 w above the floor, m
+  double surface = 0;                   // y of the bed's surface, m
+  std::vector<double> height;           // above the floor, m
+  std::vector<double> phi;              // one per height
+  std::optional<double> up_to_surface;  // mean; none when the bed is lower than 3 w
+  std::optional<double> up_to_3_scales_below;  // mean up to 3 w below the surface
   bool side_distance_kept = false;  // the slice is 3 w away from the side walls, or there are none
 };
 
