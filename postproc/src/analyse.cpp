@@ -24,7 +24,8 @@ std::vector<std::string> dumps_of(const fs::path& run, const std::string& kind) 
 void analyse_orientation(const Packing& packing, const fs::path& out, Json& summary) {
   OrientationSample sample;
   sample.add(packing);
-  const auto distribution = sample.distribution(36);
+  // Few particles in narrow bins would show their noise only.
+  const auto distribution = sample.distribution(packing.size() < 1000 ? 18 : 36);
   write_orientation_table(distribution, (out / "orientation.csv").string());
   plot_orientation_linear(distribution, (out / "orientation").string());
   plot_orientation_polar(distribution, (out / "orientation_polar").string());
@@ -55,8 +56,6 @@ void analyse_rdf(const Packing& packing, const fs::path& out, Json& summary) {
 void analyse_solid_fraction(const Packing& packing, const fs::path& out, Json& summary) {
   const auto field = solid_fraction(packing);
   const double d = packing.particle_diameter;
-  write_solid_fraction_table(field, d, (out / "solid_fraction.csv").string());
-  plot_solid_fraction(field, d, packing.walls.floor, (out / "solid_fraction").string());
   summary["omega_m"] = field.scale;
   const auto mean = [&](const std::string& key, const std::optional<double>& value) {
     if (value)
@@ -67,15 +66,44 @@ void analyse_solid_fraction(const Packing& packing, const fs::path& out, Json& s
   mean("solid_fraction_from_3_omega_above_floor_to_surface", field.up_to_surface);
   mean("solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
        field.up_to_3_scales_below);
+  summary["covered_area_over_area_below_surface"] = field.covered_below_surface;
   if (!field.up_to_3_scales_below)
     summary["notes"].push_back("solid fraction: the bed, " +
                                number_text((packing.surface - packing.walls.floor) / d, 3) +
-                               " d_p high, is lower than the averaging heights ask for (omega = " +
+                               " d_p high, is too low for the averaging heights (omega = " +
                                number_text(field.scale / d, 3) + " d_p)");
   if (!field.side_distance_kept)
     summary["notes"].push_back(
         "solid fraction: the side walls are closer than 3 omega to the central slice");
+  if (!field.up_to_surface) return;  // nothing but the kernel's tails: no figure
+  write_solid_fraction_table(field, d, (out / "solid_fraction.csv").string());
+  plot_solid_fraction(field, d, packing.walls.floor, (out / "solid_fraction").string());
 }
+
+// Rows of energies.csv, without those that a run resumed from a restart has computed anew.
+struct Energies {
+  std::vector<double> time, kinetic, elastic;  // s, J, J
+
+  explicit Energies(const std::string& file) {
+    const CsvTable table(file);
+    const auto& times = table.column("time_s");
+    const auto& translational = table.column("kinetic_translational_J");
+    const auto& rotational = table.column("kinetic_rotational_J");
+    const auto& normal = table.column("elastic_normal_J");
+    const auto& tangential = table.column("elastic_tangential_J");
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      while (!time.empty() && time.back() >= times[i]) {
+        time.pop_back();
+        kinetic.pop_back();
+        elastic.pop_back();
+      }
+      time.push_back(times[i]);
+      kinetic.push_back(translational[i] + rotational[i]);
+      elastic.push_back(normal[i] + tangential[i]);
+    }
+    if (time.empty()) throw DataError(file + ": no rows below the header");
+  }
+};
 
 void analyse_energies(const fs::path& run, const fs::path& out, Json& summary) {
   const auto file = (run / "energies.csv").string();
@@ -83,46 +111,51 @@ void analyse_energies(const fs::path& run, const fs::path& out, Json& summary) {
     summary["notes"].push_back("energies: no energies.csv in the run folder");
     return;
   }
-  const CsvTable table(file);
-  const auto last = [&](const char* name) {
-    const auto& column = table.column(name);
-    if (column.empty()) throw DataError(file + ": no rows below the header");
-    return column.back();
-  };
-  const double kinetic = last("kinetic_translational_J") + last("kinetic_rotational_J");
-  const double elastic = last("elastic_normal_J") + last("elastic_tangential_J");
-  summary["kinetic_energy_J"] = kinetic;
-  summary["elastic_energy_J"] = elastic;
+  const Energies energies(file);
+  summary["kinetic_energy_J"] = energies.kinetic.back();
+  summary["elastic_energy_J"] = energies.elastic.back();
   plot_energies(file, (out / "energies").string());
 }
 
 }  // namespace
 
 void plot_energies(const std::string& energies_csv, const std::string& stem) {
-  const CsvTable table(energies_csv);
-  const auto sum = [&](const char* first, const char* second) {
-    auto values = table.column(first);
-    const auto& other = table.column(second);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] += other[i];
-    return values;
-  };
-  const auto kinetic = sum("kinetic_translational_J", "kinetic_rotational_J");
-  const auto elastic = sum("elastic_normal_J", "elastic_tangential_J");
+  const Energies energies(energies_csv);
   bool drawable = false;  // a logarithmic axis shows positive values only
-  for (std::size_t i = 0; i < kinetic.size(); ++i)
-    drawable = drawable || kinetic[i] > 0 || elastic[i] > 0;
+  for (std::size_t i = 0; i < energies.time.size(); ++i)
+    drawable = drawable || energies.kinetic[i] > 0 || energies.elastic[i] > 0;
   if (!drawable) throw DataError(energies_csv + ": no positive energy to draw");
   draw_figure(stem, 1.4,
-              datablock("energies", {table.column("time_s"), kinetic, elastic}) +
+              datablock("energies", {energies.time, energies.kinetic, energies.elastic}) +
                   "set xlabel 'time (s)'\nset ylabel 'energy (J)'\n"
                   "set logscale y\nset format y '10^{%T}'\nset mytics 10\n"
                   "set key outside top center horizontal\nset autoscale xfix\n"
                   "positive(e) = e > 0 ? e : NaN\n"
                   "plot $energies using 1:(positive($2)) with lines linewidth 1.4 linecolor '" +
-                  colour::vermilion + "' title 'kinetic\u00a0{/:Italic E}_k', " +
+                  colour::vermilion + "' title 'kinetic {/:Italic E}_k', " +
                   "$energies using 1:(positive($3)) with lines linewidth 1.4 linecolor '" +
-                  colour::blue + "' title 'elastic\u00a0{/:Italic E}_p'\n");
+                  colour::blue + "' title 'elastic {/:Italic E}_p'\n");
 }
+
+namespace {
+
+// Removes what an earlier analysis wrote, so that nothing of it stays beside the new results.
+void remove_own_outputs(const fs::path& out) {
+  std::error_code ignored;
+  for (const std::string stem : {"orientation", "orientation_polar", "rdf", "solid_fraction",
+                                 "energies", "packing", "summary"})
+    for (const std::string suffix : {".csv", ".png", ".svg", ".json"})
+      fs::remove(out / (stem + suffix), ignored);
+  for (const std::string kind : {"bodies", "spheres", "contacts"})
+    for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
+      const auto name = entry.path().filename().string();
+      const auto suffix = entry.path().extension();
+      if (name.rfind(kind + ".", 0) == 0 && (suffix == ".vtp" || suffix == ".pvd"))
+        fs::remove(entry.path(), ignored);
+    }
+}
+
+}  // namespace
 
 Json analyse_run(const std::string& run_folder, bool all_frames) {
   const fs::path run(run_folder);
@@ -142,6 +175,8 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
   std::error_code error;
   fs::create_directories(out, error);
   if (error) throw DataError(out.string() + ": cannot be created (" + error.message() + ")");
+
+  remove_own_outputs(out);
 
   const double dt = parameters.values.contains("timestep_s") ? parameters.number("timestep_s") : 0;
   Json summary;

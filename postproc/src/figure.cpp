@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "rodpack/dump.h"
 #include "rodpack/text.h"
@@ -28,6 +30,17 @@ void run_gnuplot(const std::string& script) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     throw DataError("gnuplot was not found: install gnuplot-nox");
   if (status != 0 || !sent) throw DataError("gnuplot failed to draw a figure");
+}
+
+// SVG readers may drop the spaces around a change of font, as before the italic symbol in
+// "distance r", unless the file says that they count.
+void keep_spaces(const std::string& svg) {
+  std::ifstream in(svg, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string root = "<svg ";
+  const auto at = text.find(root);
+  if (at == std::string::npos) throw DataError(svg + ": gnuplot wrote no SVG");
+  write_text(svg, text.insert(at + root.size(), "xml:space=\"preserve\" "));
 }
 
 }  // namespace
@@ -64,6 +77,7 @@ void draw_figure(const std::string& stem, double aspect, const std::string& comm
     if (!std::filesystem::exists(stem + suffix) || std::filesystem::file_size(stem + suffix) == 0)
       throw DataError(stem + suffix + ": cannot be written");
   }
+  keep_spaces(stem + ".svg");
 }
 
 }  // namespace rodpack

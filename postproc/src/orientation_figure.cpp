@@ -25,7 +25,7 @@ void plot_orientation_linear(const OrientationDistribution& distribution, const 
   draw_figure(
       stem, 1.4,
       datablock("h", {distribution.centre, distribution.density, distribution.standard_error}) +
-          "set xlabel 'orientation\u00a0{/:Italic γ}\u00a0(°)'\n"
+          "set xlabel 'orientation {/:Italic γ} (°)'\n"
           "set ylabel 'probability density (1/°)'\n"
           "set xrange [0:" +
           range + "]\n" + "set yrange [0:" + number_text(1.08 * largest(distribution)) + "]\n" +
@@ -33,9 +33,10 @@ void plot_orientation_linear(const OrientationDistribution& distribution, const 
           number_text(width) + "\n" +
           "set key outside top right horizontal\n"
           "plot $h using 1:2 with boxes linecolor '#8CBBD9', "
-          "$h using 1:2:3 with yerrorbars pointtype 7 pointsize 0.4 linewidth 0.8 linecolor '" +
-          colour::blue + "', " + uniform + " with lines dashtype 2 linewidth 1 linecolor '" +
-          colour::grey + "' title 'isotropic'\n");
+          "$h using ($3 > 0 ? $1 : NaN):($2-$3):(0):(2*$3) with vectors heads size " +
+          number_text(width / 4) + ",90 linewidth 0.8 linecolor '" + colour::blue + "', " +
+          uniform + " with lines dashtype 2 linewidth 1 linecolor '" + colour::grey +
+          "' title 'isotropic'\n");
 }
 
 void plot_orientation_polar(const OrientationDistribution& distribution, const std::string& stem) {

@@ -222,8 +222,9 @@ void plot_rdf(const Rdf& rdf, const std::string& stem) {
   const std::string style = std::string(" linecolor '") + colour::blue + "'";
   draw_figure(stem, 1.4,
               datablock("g", {rdf.r, rdf.g, rdf.standard_error}) +
-                  "set xlabel 'distance\u00a0{/:Italic r}\u00a0/\u00a0{/:Italic d}_p'\n"
-                  "set ylabel 'radial distribution function\u00a0{/:Italic G}({/:Italic r})'\n"
+                  "set xlabel 'distance {/:Italic r} / {/:Italic d}_p'\n"
+                  "set ylabel 'radial distribution function {/:Italic G}({/:Italic r})'\n"
+                  "set key outside top right horizontal\n"
                   "set yrange [0:*]\nset xrange [0:" +
                   number_text(rdf.r.back() + rdf.r.front()) +
                   "]\n"

@@ -40,6 +40,10 @@ SolidFraction solid_fraction(const Packing& packing) {
   field.up_to_surface = mean(field.lowest, field.surface);
   field.up_to_3_scales_below = mean(field.lowest, field.surface - 3 * field.scale);
 
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    if (packing.y[i] < packing.surface) field.covered_below_surface += packing.area[i];
+  field.covered_below_surface /= walls.width() * (packing.surface - walls.floor);
+
   constexpr int points = 300;
   const double height = std::max(field.surface - walls.floor, packing.particle_diameter);
   for (int k = 0; k <= points; ++k) {
@@ -71,12 +75,12 @@ void plot_solid_fraction(const SolidFraction& field, double particle_diameter, d
             number_text((field.surface - floor) / particle_diameter) +
             " behind fillstyle solid noborder fillcolor '#EEEEEE'\n"
             "set label 'mean over the grey range:' at graph 0.05, 0.55\n"
-            "set label '{/:Italic φ}\u00a0= " +
+            "set label '{/:Italic φ} = " +
             number_text(*field.up_to_surface, 3) + "' at graph 0.05, 0.49\n";
   draw_figure(stem, 1.0,
               datablock("phi", {height, field.phi}) + range +
-                  "set xlabel 'solid fraction\u00a0{/:Italic φ}'\n"
-                  "set ylabel 'height above the floor /\u00a0{/:Italic d}_p'\n"
+                  "set xlabel 'solid fraction {/:Italic φ}'\n"
+                  "set ylabel 'height above the floor / {/:Italic d}_p'\n"
                   "set xrange [0:1]\nset yrange [0:" +
                   number_text(height.back()) +
                   "]\n"

@@ -183,6 +183,7 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
     packing.write_run(run_folder);
     const auto foreign = run_folder / "analysis" / "notes.txt";
     put(foreign, "mine");
+    put(run_folder / "analysis" / "vtk" / "bodies.1.vtp", "left over from an earlier frame");
     const auto run = rodpack_command("analyse '" + run_folder.string() + "'");
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const auto out = run_folder / "analysis";
@@ -206,6 +207,7 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
     for (const std::string kind : {"bodies", "spheres", "contacts"}) {
       EXPECT_TRUE(fs::exists(out / "vtk" / (kind + ".2000.vtp")));
       EXPECT_FALSE(fs::exists(out / "vtk" / (kind + ".1000.vtp")));
+      EXPECT_FALSE(fs::exists(out / "vtk" / "bodies.1.vtp"));
       EXPECT_THAT(content(out / "vtk" / (kind + ".pvd")), HasSubstr("timestep=\"0.022\""));
     }
     EXPECT_EQ(content(foreign), "mine");
@@ -223,6 +225,26 @@ TEST(Analyse, MissingFolderParametersOrDumpsGiveOneLine) {
   EXPECT_EQ(run.output, "rodpack: no file matches 'run/dumps/bodies.*.dump*'\n");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_FALSE(fs::exists(folder / "run" / "analysis"));
+}
+
+// A run that went on from a restart at t = 1 s after it had been interrupted at t = 3 s has the
+// rows of 2 s and 3 s twice; the later ones hold.
+TEST(Analyse, RowsThatAResumedRunComputedAgainReplaceTheEarlierOnes) {
+  const auto run_folder = fresh_folder() / "run";
+  small_packing().write_run(run_folder);
+  put(run_folder / "energies.csv",
+      "time_s,kinetic_translational_J,kinetic_rotational_J,elastic_normal_J,elastic_tangential_J\n"
+      "1,4,1,4,1\n2,9,9,9,9\n3,9,9,9,9\n2,3,1,2,1\n");
+  ASSERT_EQ(rodpack_command("analyse '" + run_folder.string() + "'").exit_code, 0);
+  const auto out = run_folder / "analysis";
+  const auto summary = nlohmann::json::parse(content(out / "summary.json"));
+  EXPECT_EQ(summary["kinetic_energy_J"], 4.0);
+  EXPECT_EQ(summary["elastic_energy_J"], 3.0);
+
+  put(run_folder / "energies.csv", "time_s,kinetic_translational_J\n1,two\n");
+  const auto bad = rodpack_command("analyse '" + run_folder.string() + "'");
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_THAT(bad.output, HasSubstr("energies.csv:2: expected a number, found 'two'"));
 }
 
 TEST(Analyse, ABedOfSpheresLeavesOrientationOutAndSaysSo) {

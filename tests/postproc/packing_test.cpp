@@ -140,6 +140,7 @@ TEST(SolidFraction, EvenBedMatchesAreaPerAreaAndTheKernelsTail) {
   EXPECT_NEAR(*field.up_to_surface, 0.8 * (1 - loss / 2.55), 5e-5);
   EXPECT_NEAR(field.phi.back(), 0.4, 1e-3);   // half of the kernel at the surface
   EXPECT_NEAR(field.phi.front(), 0.4, 1e-3);  // and at the floor
+  EXPECT_NEAR(field.covered_below_surface, 0.8, 1e-12);
   EXPECT_TRUE(field.side_distance_kept);
 }
 
