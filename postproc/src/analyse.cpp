@@ -142,10 +142,12 @@ namespace {
 // Removes what an earlier analysis wrote, so that nothing of it stays beside the new results.
 void remove_own_outputs(const fs::path& out) {
   std::error_code ignored;
-  for (const std::string stem : {"orientation", "orientation_polar", "rdf", "solid_fraction",
-                                 "energies", "packing", "summary"})
-    for (const std::string suffix : {".csv", ".png", ".svg", ".json"})
-      fs::remove(out / (stem + suffix), ignored);
+  fs::remove(out / "summary.json", ignored);
+  for (const std::string table : {"orientation", "rdf", "solid_fraction"})
+    fs::remove(out / (table + ".csv"), ignored);
+  for (const std::string figure :
+       {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing"})
+    for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
   for (const std::string kind : {"bodies", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
       const auto name = entry.path().filename().string();
@@ -170,6 +172,9 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
     return read_packing(last_frame(body_files), options);
   }();
   const auto spheres = last_frame(sphere_files);
+  // Bad columns and tables show before anything is written.
+  for (const std::string name : {"x", "y", "radius", "fx", "fy", "fz"}) spheres.column(name);
+  if (const auto table = run / "energies.csv"; fs::exists(table)) Energies{table.string()};
 
   const fs::path out = run / "analysis";
   std::error_code error;

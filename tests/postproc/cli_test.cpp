@@ -245,6 +245,7 @@ TEST(Analyse, RowsThatAResumedRunComputedAgainReplaceTheEarlierOnes) {
   const auto bad = rodpack_command("analyse '" + run_folder.string() + "'");
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_THAT(bad.output, HasSubstr("energies.csv:2: expected a number, found 'two'"));
+  EXPECT_EQ(nlohmann::json::parse(content(out / "summary.json")), summary) << "was overwritten";
 }
 
 TEST(Analyse, ABedOfSpheresLeavesOrientationOutAndSaysSo) {
