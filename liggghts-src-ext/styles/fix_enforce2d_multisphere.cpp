@@ -58,8 +58,8 @@ void FixEnforce2DMultisphere::init() {
     }
   }
   if (plane_ < domain->boxlo[2] || plane_ > domain->boxhi[2]) {
-    const std::string message = "plane must lie in the simulation box, got '" +
-                                std::to_string(plane_) + "'";
+    const std::string message =
+        "plane must lie in the simulation box, got '" + std::to_string(plane_) + "'";
     error->fix_error(FLERR, this, message.c_str());
   }
   double largest, smallest;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef FIX_CLASS
 
+// clang-format off
 FixStyle(enforce2d/multisphere,FixEnforce2DMultisphere)
+// clang-format on
 
 #else
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <string>
 
 #include "atom.h"
@@ -35,19 +34,16 @@ bool is_multisphere(const FixTemplateSphere* particles) {
   return dynamic_cast<const FixTemplateMultisphere*>(particles) != NULL;
 }
 
-bool any(double) { return true; }
-bool positive(double value) { return value > 0; }
-
-const std::set<std::string> keywords = {"template", "per_line", "x",        "y",     "z",      "total",
-                                        "fall",     "interval", "velocity", "angle", "gravity"};
-
 }  // namespace
 
-FixInsertLine::FixInsertLine(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
-  read_arguments(narg, arg);
-  share_out_total();
-  check_room();
-  irregular_.reset(new Irregular(lmp));
+FixInsertLine::FixInsertLine(LAMMPS* lmp, int narg, char** arg)
+    : Fix(lmp, narg, arg),
+      options_(read_line_options(lmp, narg, arg)),
+      random_(new RanPark(lmp, prime_seed(options_.seed).c_str(), false)),
+      irregular_(new Irregular(lmp)) {
+  const std::vector<int> numbers = options_.numbers();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    sources_.push_back({options_.parts[i].particles, numbers[i], 0});
 
   restart_global = 1;
   force_reneighbor = 1;
@@ -61,114 +57,6 @@ FixInsertLine::~FixInsertLine() {}
 
 int FixInsertLine::setmask() { return PRE_EXCHANGE; }
 
-void FixInsertLine::read_arguments(int narg, char** arg) {
-  StyleArguments arguments(lmp, narg, arg);
-  const int seed =
-      arguments.integer("seed", "a positive integer", [](long value) { return value > 0; });
-  random_.reset(new RanPark(lmp, prime_seed(seed).c_str(), false));
-
-  std::set<std::string> seen;
-  while (arguments.more()) {
-    const std::string keyword = arguments.word("", "");
-    if (!keywords.count(keyword)) {
-      std::string all;
-      for (const std::string& known : keywords) all += (all.empty() ? "" : ", ") + known;
-      arguments.fail("unknown keyword '" + keyword + "', expected one of " + all);
-    }
-    if (!seen.insert(keyword).second) arguments.fail("keyword " + keyword + " is given twice");
-    if (keyword == "template") {
-      const char* expected = "the id of a fix particletemplate and its fraction";
-      do {
-        const std::string name = arguments.word(keyword, expected);
-        const int index = modify->find_fix(name.c_str());
-        auto* particles =
-            index < 0 ? NULL : dynamic_cast<FixTemplateSphere*>(modify->fix[index]);
-        if (!particles) arguments.reject(keyword, "the id of a fix particletemplate", name);
-        for (const Source& other : sources_)
-          if (other.particles == particles) arguments.fail("template " + name + " is given twice");
-        sources_.push_back(
-            {particles, arguments.number("template " + name, "a positive fraction", positive), 0, 0});
-      } while (arguments.more() && !keywords.count(arguments.peek()));
-    } else if (keyword == "per_line") {
-      per_line_ = arguments.integer(keyword, "an integer of at least 1", [](long n) { return n >= 1; });
-    } else if (keyword == "total") {
-      total_ = arguments.integer(keyword, "an integer of at least 1", [](long n) { return n >= 1; });
-    } else if (keyword == "x") {
-      x_low_ = arguments.number("x xlo", "a position in m", any);
-      x_high_ = arguments.number("x xhi", "a position in m", any);
-      if (!(x_low_ < x_high_))
-        arguments.reject("x xlo xhi", "two positions with xlo < xhi",
-                         std::to_string(x_low_) + " " + std::to_string(x_high_));
-    } else if (keyword == "y") {
-      y_ = arguments.number(keyword, "a position in m", any);
-    } else if (keyword == "z") {
-      z_ = arguments.number(keyword, "a position in m", any);
-    } else if (keyword == "fall") {
-      fall_ = arguments.number(keyword, "a positive height in m", positive);
-    } else if (keyword == "interval") {
-      interval_ = arguments.number(keyword, "a positive time in s", positive);
-    } else if (keyword == "gravity") {
-      gravity_ = arguments.number(keyword, "a positive acceleration in m/s^2", positive);
-    } else {
-      double& low = keyword == "angle" ? angle_low_ : velocity_low_;
-      double& high = keyword == "angle" ? angle_high_ : velocity_high_;
-      const double unit = keyword == "angle" ? M_PI / 180. : 1.;
-      const char* expected = keyword == "angle" ? "an angle in degrees" : "a velocity in m/s";
-      low = unit * arguments.number(keyword, expected, any);
-      high = unit * arguments.number(keyword, expected, any);
-      if (low > high)
-        arguments.reject(keyword, "two numbers of which the first is not the larger",
-                         std::to_string(low / unit) + " " + std::to_string(high / unit));
-    }
-  }
-  for (const char* needed : {"template", "per_line", "x", "y", "total"})
-    if (!seen.count(needed)) arguments.fail(std::string("keyword ") + needed + " is missing");
-  if (seen.count("fall") == seen.count("interval"))
-    arguments.fail("needs either fall H or interval T");
-  if (domain->dimension != 3)
-    arguments.reject("dimension", "3", std::to_string(domain->dimension));
-  if (domain->triclinic) arguments.fail("does not work with a triclinic box");
-}
-
-/// Numbers of particles of each template, by largest remainders, so that they add up to the total.
-void FixInsertLine::share_out_total() {
-  double weights = 0;
-  for (const Source& source : sources_) weights += source.weight;
-  std::vector<std::pair<double, std::size_t>> remainders;
-  int missing = total_;
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const double exact = total_ * sources_[i].weight / weights;
-    sources_[i].total = static_cast<int>(exact);
-    missing -= sources_[i].total;
-    remainders.push_back({sources_[i].total - exact, i});
-  }
-  std::sort(remainders.begin(), remainders.end());
-  for (int i = 0; i < missing; ++i) ++sources_[remainders[i].second].total;
-}
-
-void FixInsertLine::check_room() const {
-  char text[256];
-  const double cell = (x_high_ - x_low_) / per_line_;
-  for (const Source& source : sources_) {
-    const double width = 2. * source.particles->max_r_bound();
-    if (width <= cell * (1. + 1e-9)) continue;
-    std::snprintf(text, sizeof text,
-                  "particles of template %s are %g m wide at some angle and do not fit: per_line %d "
-                  "from x = %g to %g leaves each a cell of %g m",
-                  source.particles->id, width, per_line_, x_low_, x_high_, cell);
-    error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
-  }
-  const double low[3] = {x_low_, y_, z_}, high[3] = {x_high_, y_, z_};
-  for (int d = 0; d < 3; ++d) {
-    const bool below = domain->boundary[d][0] < 2 && low[d] < domain->boxlo[d];
-    const bool above = domain->boundary[d][1] < 2 && high[d] > domain->boxhi[d];
-    if (!below && !above) continue;
-    std::snprintf(text, sizeof text, "%c must lie in the simulation box from %g to %g, got '%g'",
-                  "xyz"[d], domain->boxlo[d], domain->boxhi[d], below ? low[d] : high[d]);
-    error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
-  }
-}
-
 void FixInsertLine::init() {
   const int bodies = modify->n_fixes_style("multisphere");
   multisphere_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
@@ -179,7 +67,7 @@ void FixInsertLine::init() {
                                   std::to_string(bodies) + "'";
       error->fix_error(FLERR, this, message.c_str());
     }
-  if (fall_ > 0 && gravity_ == 0 && !modify->find_fix_style("gravity", 0))
+  if (options_.fall > 0 && options_.gravity == 0 && !modify->find_fix_style("gravity", 0))
     error->fix_error(FLERR, this, "fall needs a fix gravity or keyword gravity");
 }
 
@@ -196,12 +84,12 @@ void FixInsertLine::setup(int) {
   }
   if (line_interval() < time_step_)
     error->fix_error(FLERR, this, "the time between two lines must be at least one time step");
-  next_reneighbor = inserted_ < total_ ? std::max(now + 1, line_step(lines_)) : -1;
+  next_reneighbor = inserted_ < options_.total ? std::max(now + 1, line_step(lines_)) : -1;
 }
 
 double FixInsertLine::line_interval() const {
-  if (interval_ > 0) return interval_;
-  double downward = gravity_;
+  if (options_.interval > 0) return options_.interval;
+  double downward = options_.gravity;
   if (downward == 0) {
     double gravity[3];
     static_cast<FixGravity*>(modify->find_fix_style("gravity", 0))->get_gravity(gravity);
@@ -209,7 +97,7 @@ double FixInsertLine::line_interval() const {
   }
   if (!(downward > 0))
     error->fix_error(FLERR, const_cast<FixInsertLine*>(this), "fall needs gravity along -y");
-  return std::sqrt(2. * fall_ / downward);
+  return std::sqrt(2. * options_.fall / downward);
 }
 
 bigint FixInsertLine::line_step(int line) const {
@@ -228,12 +116,12 @@ void FixInsertLine::pre_exchange() {
   inserted_ += static_cast<int>(line.size());
   ++lines_;
   last_line_step_ = now;
-  next_reneighbor = inserted_ < total_ ? line_step(lines_) : -1;
+  next_reneighbor = inserted_ < options_.total ? line_step(lines_) : -1;
 }
 
 std::vector<FixInsertLine::Place> FixInsertLine::draw_line() {
-  const int n = std::min(per_line_, total_ - inserted_);
-  const double cell = (x_high_ - x_low_) / n;
+  const int n = std::min(options_.per_line, options_.total - inserted_);
+  const double cell = (options_.x_high - options_.x_low) / n;
   std::vector<int> left;
   for (const Source& source : sources_) left.push_back(std::max(0, source.total - source.inserted));
 
@@ -249,10 +137,12 @@ std::vector<FixInsertLine::Place> FixInsertLine::draw_line() {
     Place place;
     place.source = &sources_[s];
     place.size = random_->uniform();
-    place.angle = angle_low_ + (angle_high_ - angle_low_) * random_->uniform();
-    place.velocity = velocity_low_ + (velocity_high_ - velocity_low_) * random_->uniform();
-    place.x = x_low_ + (i + 0.5) * cell;
-    const double centre[3] = {place.x, y_, z_};
+    place.angle =
+        options_.angle_low + (options_.angle_high - options_.angle_low) * random_->uniform();
+    place.velocity = options_.velocity_low +
+                     (options_.velocity_high - options_.velocity_low) * random_->uniform();
+    place.x = options_.x_low + (i + 0.5) * cell;
+    const double centre[3] = {place.x, options_.y, options_.z};
     place.mine = mine(centre);
     place.first_sphere = 0;
     line.push_back(place);
@@ -260,8 +150,8 @@ std::vector<FixInsertLine::Place> FixInsertLine::draw_line() {
   return line;
 }
 
-/// Half-open sub-domains, those at the edge of the box open outwards: exactly one rank owns a point,
-/// also one outside a shrink-wrapped box.
+/// Half-open sub-domains, those at the edge of the box open outwards: exactly one rank owns a
+/// point, also one outside a shrink-wrapped box.
 bool FixInsertLine::mine(const double* x) const {
   for (int d = 0; d < 3; ++d) {
     if (x[d] < domain->sublo[d] && comm->myloc[d] > 0) return false;
@@ -277,7 +167,8 @@ void FixInsertLine::prepare(const Place& place) const {
     rods->prepare_single(place.size);
   else
     particles.randomize_single();  // the public version's templates are of one size
-  double x[3] = {place.x, y_, z_}, v[3] = {place.velocity, 0., 0.}, omega[3] = {0., 0., 0.};
+  double x[3] = {place.x, options_.y, options_.z}, v[3] = {place.velocity, 0., 0.},
+         omega[3] = {0., 0., 0.};
   double quat[4] = {std::cos(0.5 * place.angle), 0., 0., std::sin(0.5 * place.angle)};
   particles.pti->set_x_v_omega(x, v, omega, quat);
   particles.pti->groupbit |= groupbit;
@@ -314,7 +205,7 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
     found[0] = sphere.place;
     found[1] = tag;
   };
-  double highest = y_, lowest = y_;
+  double highest = options_.y, lowest = options_.y;
   for (const Sphere& sphere : spheres) {
     highest = std::max(highest, sphere.x[1] + sphere.radius);
     lowest = std::min(lowest, sphere.x[1] - sphere.radius);
@@ -337,7 +228,7 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
   std::snprintf(text, sizeof text,
                 "line %d at step %ld: its particle at x = %g, y = %g would overlap %s by %g m; let "
                 "more time or height pass between lines, or put fewer particles on them",
-                lines_ + 1, static_cast<long>(update->ntimestep), line[found[0]].x, y_,
+                lines_ + 1, static_cast<long>(update->ntimestep), line[found[0]].x, options_.y,
                 other.c_str(), all.depth);
   error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
 }
@@ -366,8 +257,9 @@ void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sph
       atom->tag[i] = last_sphere + place.first_sphere + 1 + (i - first);
     if (!is_body) continue;
     Multisphere& data = multisphere_->data();
-    data.prop().getElementProperty<ScalarContainer<int>>("id_multisphere")->set(data.n_body() - 1,
-                                                                               body);
+    data.prop()
+        .getElementProperty<ScalarContainer<int>>("id_multisphere")
+        ->set(data.n_body() - 1, body);
     int length, width;
     int* body_of = static_cast<int*>(multisphere_->extract("body", length, width));
     for (int i = first; i < atom->nlocal; ++i) body_of[i] = body;
@@ -407,9 +299,11 @@ void FixInsertLine::write_restart(FILE* file) {
 void FixInsertLine::restart(char* buffer) {
   const double* state = reinterpret_cast<const double*>(buffer);
   if (static_cast<std::size_t>(state[0]) != sources_.size()) {
-    const std::string message = "template must name as many templates as the run that wrote the "
-                                "restart file, " + std::to_string(static_cast<int>(state[0])) +
-                                ", got '" + std::to_string(sources_.size()) + "'";
+    const std::string message =
+        "template must name as many templates as the run that wrote the "
+        "restart file, " +
+        std::to_string(static_cast<int>(state[0])) + ", got '" + std::to_string(sources_.size()) +
+        "'";
     error->fix_error(FLERR, this, message.c_str());
   }
   random_->reset(static_cast<int>(state[1]));

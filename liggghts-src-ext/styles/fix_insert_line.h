@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef FIX_CLASS
 
+// clang-format off
 FixStyle(insert/line,FixInsertLine)
+// clang-format on
 
 #else
 
@@ -12,10 +14,10 @@ FixStyle(insert/line,FixInsertLine)
 #include <vector>
 
 #include "fix.h"
+#include "line_options.h"
 
 namespace LAMMPS_NS {
 
-class FixTemplateSphere;
 class FixMultisphere;
 class Irregular;
 class RanPark;
@@ -50,28 +52,24 @@ class FixInsertLine : public Fix {
  private:
   struct Source {
     FixTemplateSphere* particles;
-    double weight;
     int total;     // of its particles over the whole run
     int inserted;  // so far
   };
   /// The numbers drawn for one particle of a line, in the order of the draws.
   struct Place {
     Source* source;
-    double size;      // draw from [0, 1) for its diameter
-    double angle;     // of its body x axis, rad
-    double velocity;  // along x, m/s
-    double x;         // centre of mass, m
-    bool mine;        // this rank owns the spot
-    int first_sphere; // index into the line's spheres
+    double size;       // draw from [0, 1) for its diameter
+    double angle;      // of its body x axis, rad
+    double velocity;   // along x, m/s
+    double x;          // centre of mass, m
+    bool mine;         // this rank owns the spot
+    int first_sphere;  // index into the line's spheres
   };
   struct Sphere {
     double x[3], radius;
     int place;
   };
 
-  void read_arguments(int narg, char** arg);
-  void share_out_total();
-  void check_room() const;
   double line_interval() const;
   bigint line_step(int line) const;
   std::vector<Place> draw_line();
@@ -81,17 +79,11 @@ class FixInsertLine : public Fix {
   void create(const std::vector<Place>& line, const std::vector<Sphere>& spheres);
   bool mine(const double* x) const;
 
+  const LineOptions options_;
   std::vector<Source> sources_;
   std::unique_ptr<RanPark> random_;
   std::unique_ptr<Irregular> irregular_;
   FixMultisphere* multisphere_ = NULL;
-
-  // parameters, SI units
-  int per_line_ = 0, total_ = 0;
-  double x_low_ = 0, x_high_ = 0, y_ = 0, z_ = 0;
-  double fall_ = 0, interval_ = 0, gravity_ = 0;  // 0 where not given
-  double velocity_low_ = 0, velocity_high_ = 0;
-  double angle_low_ = 0, angle_high_ = 2 * 3.14159265358979323846;
 
   // state; line k starts at anchor_time_ + (step - anchor_step_) dt = k intervals since the first
   int lines_ = 0, inserted_ = 0;

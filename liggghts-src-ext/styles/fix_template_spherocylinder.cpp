@@ -48,11 +48,19 @@ class FixTemplateSpherocylinder::StockArguments {
     const Spherocylinder nominal = options.particle(options.shape.nominal_diameter);
     // the stock style refuses a single sphere: declare two and shrink to one afterwards
     const bool single = nominal.centres.size() == 1;
-    words_ = {own[0], own[1], own[2], prime_seed(options.seed),
-              "atom_type", std::to_string(options.atom_type),
-              "density", "constant", text(options.density),
-              "nspheres", std::to_string(single ? 2 : nominal.centres.size()),
-              "ntry", "100000",  // below this there is a warning; nothing is sampled
+    words_ = {own[0],
+              own[1],
+              own[2],
+              prime_seed(options.seed),
+              "atom_type",
+              std::to_string(options.atom_type),
+              "density",
+              "constant",
+              text(options.density),
+              "nspheres",
+              std::to_string(single ? 2 : nominal.centres.size()),
+              "ntry",
+              "100000",  // below this there is a warning; nothing is sampled
               "spheres"};
     for (int copy = 0; copy < (single ? 2 : 1); ++copy)
       for (const auto& centre : nominal.centres)
@@ -162,8 +170,8 @@ void FixTemplateSpherocylinder::setup(int) {
     if (body < 0 || type(body) != type_ || (*rods.radius)(body) > 0) continue;
     const Spherocylinder chain = options_->particle(2. * atom->radius[i]);
     rods.radius->set(body, atom->radius[i]);
-    rods.half_length->set(body, nspheres == 1 ? atom->radius[i]
-                                              : 0.5 * rodpack::axial_length(chain.shape));
+    rods.half_length->set(
+        body, nspheres == 1 ? atom->radius[i] : 0.5 * rodpack::axial_length(chain.shape));
     rods.curvature->set(body, chain.shape.curvature_angle);
     rods.area->set(body, chain.area);
   }

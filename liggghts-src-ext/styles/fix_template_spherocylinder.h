@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef FIX_CLASS
 
+// clang-format off
 FixStyle(particletemplate/multisphere/spherocylinder,FixTemplateSpherocylinder)
+// clang-format on
 
 #else
 
@@ -33,7 +35,8 @@ class FixTemplateSpherocylinder : public FixTemplateMultisphere {
   double max_rad();
 
   void randomize_single();
-  void init_ptilist(int n, const bool enforce_single = false, FixPropertyAtom* const release = NULL);
+  void init_ptilist(int n, const bool enforce_single = false,
+                    FixPropertyAtom* const release = NULL);
   void randomize_ptilist(int n, int distribution_groupbit, int distorder);
 
   /// Makes `pti` the particle that a draw from [0, 1) stands for, at the origin in its body frame.

@@ -7,9 +7,9 @@
 
 namespace LAMMPS_NS {
 
-/// A spherocylinder on its way into the simulation. LIGGGHTS's fix insert/* draw an orientation from
-/// all of space; a planar particle keeps of it the turn about z (uniform again), is put at z = 0 and
-/// gets no velocity out of the plane.
+/// A spherocylinder on its way into the simulation. LIGGGHTS's fix insert/* draw an orientation
+/// from all of space; a planar particle keeps of it the turn about z (uniform again), is put at z =
+/// 0 and gets no velocity out of the plane.
 class ParticleToInsertSpherocylinder : public ParticleToInsertMultisphere {
  public:
   ParticleToInsertSpherocylinder(LAMMPS* lmp, int nspheres, bool planar);

@@ -22,8 +22,7 @@ double read_overlap(StyleArguments& arguments) {
   const std::string surface = arguments.word("surface", "coarse, smooth or overlap F");
   if (surface == "coarse") return 0;
   if (surface == "smooth") return 0.5;
-  if (surface != "overlap")
-    arguments.reject("surface", "coarse, smooth or overlap F", surface);
+  if (surface != "overlap") arguments.reject("surface", "coarse, smooth or overlap F", surface);
   return arguments.number("surface overlap", "a fraction from 0 to below 1",
                           [](double f) { return f >= 0 && f < 1; });
 }
@@ -70,8 +69,9 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
     options.shape.overlap = read_overlap(arguments);
   } else if (keyword == "curvature") {
     options.shape.curvature_angle =
-        M_PI / 180. * arguments.number(keyword, "an angle from 0 to 180 degrees",
-                                       [](double deg) { return deg >= 0 && deg <= 180; });
+        M_PI / 180. * arguments.number(keyword, "an angle from 0 to 180 degrees", [](double deg) {
+          return deg >= 0 && deg <= 180;
+        });
   } else if (keyword == "size_spread") {
     options.size_spread = arguments.number(keyword, "a fraction from 0 to below 1",
                                            [](double s) { return s >= 0 && s < 1; });
@@ -85,9 +85,10 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
   } else if (keyword == "planar") {
     options.planar = arguments.yes_or_no(keyword);
   } else {
-    arguments.fail("unknown keyword '" + keyword +
-                   "', expected one of atom_type, type, aspect_ratio, diameter, surface, curvature, "
-                   "size_spread, density, mass, follow_drawn_size, planar");
+    arguments.fail(
+        "unknown keyword '" + keyword +
+        "', expected one of atom_type, type, aspect_ratio, diameter, surface, curvature, "
+        "size_spread, density, mass, follow_drawn_size, planar");
   }
 }
 
@@ -98,8 +99,7 @@ Spherocylinder SpherocylinderOptions::particle(double diameter) const {
   one.shape = shape;
   one.shape.diameter = diameter;
   // given numbers say nothing about where the centre of mass lies: that of the reference particle
-  const auto rule =
-      mass_rule == Mass::own ? rodpack::MassRule::own : rodpack::MassRule::reference;
+  const auto rule = mass_rule == Mass::own ? rodpack::MassRule::own : rodpack::MassRule::reference;
   one.centres = rodpack::sphere_centres(one.shape, rule);
   one.mass = mass_rule == Mass::given
                  ? given_mass
@@ -128,10 +128,11 @@ SpherocylinderOptions read_spherocylinder_options(LAMMPS* lmp, int narg, char** 
   if (given && options.follow_drawn_size)
     arguments.fail("follow_drawn_size yes contradicts mass given, which fixes mass and inertia");
   if (options.atom_type > lmp->atom->ntypes)
-    arguments.reject("atom_type", "at most " + std::to_string(lmp->atom->ntypes) +
-                     ", the number of atom types in create_box", std::to_string(options.atom_type));
-  if (lmp->force->cg(options.atom_type) != 1.)
-    arguments.fail("does not work with coarsegraining");
+    arguments.reject(
+        "atom_type",
+        "at most " + std::to_string(lmp->atom->ntypes) + ", the number of atom types in create_box",
+        std::to_string(options.atom_type));
+  if (lmp->force->cg(options.atom_type) != 1.) arguments.fail("does not work with coarsegraining");
   options.shape.diameter = options.shape.nominal_diameter;
   try {
     for (double draw : {0., 0.5, 1.}) {

@@ -64,22 +64,28 @@ void expect_same(const Table& a, const Table& b, double tolerance) {
 TEST(InsertLine, LinesStartAtTheStepNearestToTheirTime) {
   // dt = 1e-4 s: sqrt(2 0.021 / 9.81) s = 654.324 steps between lines. First line at step 1, line k
   // at 1 + round(654.324 k): no error builds up over the lines.
-  const auto run = run_liggghts(deck, {{"dt", "1e-4"}, {"steps", "3300"}, {"every", "1"},
-                                       {"per_line", "2"}, {"total", "11"}, {"rod",
-                                       "aspect_ratio 1 diameter 0.001 surface coarse"}});
+  const auto run = run_liggghts(deck, {{"dt", "1e-4"},
+                                       {"steps", "3300"},
+                                       {"every", "1"},
+                                       {"per_line", "2"},
+                                       {"total", "11"},
+                                       {"rod", "aspect_ratio 1 diameter 0.001 surface coarse"}});
   ASSERT_EQ(run.exit_code, 0) << run.output;
-  const std::map<long, int> expected = {{1, 2}, {655, 4}, {1310, 6}, {1964, 8}, {2618, 10},
-                                        {3273, 11}};
+  const std::map<long, int> expected = {{1, 2},    {655, 4},   {1310, 6},
+                                        {1964, 8}, {2618, 10}, {3273, 11}};
   EXPECT_EQ(insertions(run.output), expected);
 }
 
 TEST(InsertLine, IntervalIsATimeWhateverTheTimeStep) {
   for (const auto& [dt, step] : std::map<std::string, long>{{"1e-4", 201}, {"3e-5", 668}}) {
     // second line 0.02 s after the first at step 1: 200 steps, or 666.67, rounded to 667
-    const auto run =
-        run_liggghts(deck, {{"dt", dt}, {"start", "interval 0.02"}, {"steps", "700"},
-                            {"every", "1"}, {"per_line", "3"}, {"total", "6"},
-                            {"rod", "aspect_ratio 1 diameter 0.001 surface coarse"}});
+    const auto run = run_liggghts(deck, {{"dt", dt},
+                                         {"start", "interval 0.02"},
+                                         {"steps", "700"},
+                                         {"every", "1"},
+                                         {"per_line", "3"},
+                                         {"total", "6"},
+                                         {"rod", "aspect_ratio 1 diameter 0.001 surface coarse"}});
     ASSERT_EQ(run.exit_code, 0) << run.output;
     EXPECT_EQ(insertions(run.output), (std::map<long, int>{{1, 3}, {step, 6}}));
   }
@@ -174,19 +180,23 @@ run 700
 
 TEST(InsertLine, OneAndTwoRanksInsertTheSameBodies) {
   // per_line 5: the middle rod stands exactly on the border between the two sub-domains
-  const Vars vars = {{"per_line", "5"}, {"total", "15"}, {"dt", "1e-4"}, {"steps", "1320"},
-                     {"every", "1320"}, {"rod", "aspect_ratio 5 diameter 0.003 surface smooth size_spread 0.05"}};
+  const Vars vars = {
+      {"per_line", "5"}, {"total", "15"},
+      {"dt", "1e-4"},    {"steps", "1320"},
+      {"every", "1320"}, {"rod", "aspect_ratio 5 diameter 0.003 surface smooth size_spread 0.05"}};
   const auto one = run_liggghts(deck, vars, 1), two = run_liggghts(deck, vars, 2);
   ASSERT_EQ(one.exit_code, 0) << one.output;
   ASSERT_EQ(two.exit_code, 0) << two.output;
-  const Table a = read_dump(one.folder / "spheres.dump"), b = read_dump(two.folder / "spheres.dump");
+  const Table a = read_dump(one.folder / "spheres.dump"),
+              b = read_dump(two.folder / "spheres.dump");
   EXPECT_EQ(a.rows(), 135u);
   // lines at steps 1, 655, 1310; all in free fall: only rounding differs
   expect_same(a, b, 1e-10);
 }
 
 TEST(InsertLine, RestartBetweenTwoLinesGoesOnAsIfUninterrupted) {
-  const Vars vars = {{"steps", "22000"}, {"every", "11000"},
+  const Vars vars = {{"steps", "22000"},
+                     {"every", "11000"},
                      {"rod", "aspect_ratio 5 diameter 0.003 surface smooth size_spread 0.05"}};
   const auto whole = run_liggghts(deck, vars);
   ASSERT_EQ(whole.exit_code, 0) << whole.output;
@@ -220,6 +230,112 @@ TEST(InsertLine, RefusesParticlesThatDoNotFitTheirCell) {
   const auto run = run_liggghts(deck, {{"per_line", "9"}});  // cells of 13.3 mm, rods of 15 mm
   EXPECT_NE(run.exit_code, 0);
   EXPECT_NE(run.output.find("particles of template rods are 0.015 m wide"), std::string::npos)
+      << run.output;
+}
+
+TEST(InsertLine, RefusesWrongInput) {
+  const std::string good = "per_line 2 x 0 0.1 y 0.05 total 4 ";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"0 template rods 1 " + good + "interval 1", "seed must be a positive integer, got '0'"},
+      {"1 template bars 1 " + good + "interval 1",
+       "template must be the id of a fix particletemplate, got 'bars'"},
+      {"1 template e 1 " + good + "interval 1",
+       "template must be the id of a fix particletemplate, got 'e'"},
+      {"1 template rods 0 " + good + "interval 1",
+       "template rods must be a positive fraction, got '0'"},
+      {"1 template rods 1 rods 1 " + good + "interval 1", "template rods is given twice"},
+      {"1 " + good + "interval 1", "keyword template is missing"},
+      {"1 template rods 1 per_line 0 x 0 0.1 y 0.05 total 4 interval 1",
+       "per_line must be an integer of at least 1, got '0'"},
+      {"1 template rods 1 per_line 2.5 x 0 0.1 y 0.05 total 4 interval 1",
+       "per_line must be an integer of at least 1, got '2.5'"},
+      {"1 template rods 1 per_line 2 x 0.1 0 y 0.05 total 4 interval 1",
+       "x must be two of positions in m, the lower one first, got '0.100000 0.000000'"},
+      {"1 template rods 1 per_line 2 x 0 0.2 y 0.05 total 4 interval 1",
+       "x must lie in the simulation box from 0 to 0.1, got '0.2'"},
+      {"1 template rods 1 per_line 2 x 0 0.1 y 0.5 total 4 interval 1",
+       "y must lie in the simulation box from 0 to 0.1, got '0.5'"},
+      {"1 template rods 1 per_line 2 x 0 0.1 y high total 4 interval 1",
+       "y must be a position in m, got 'high'"},
+      {"1 template rods 1 per_line 2 x 0 0.1 y 0.05 total 0 interval 1",
+       "total must be an integer of at least 1, got '0'"},
+      {"1 template rods 1 per_line 2 x 0 0.1 y 0.05 interval 1", "keyword total is missing"},
+      {"1 template rods 1 " + good, "needs either fall H or interval T"},
+      {"1 template rods 1 " + good + "fall 0.1 interval 1", "needs either fall H or interval T"},
+      {"1 template rods 1 " + good + "fall -1", "fall must be a positive height in m, got '-1'"},
+      {"1 template rods 1 " + good + "interval 0",
+       "interval must be a positive time in s, got '0'"},
+      {"1 template rods 1 " + good + "interval 1 gravity 0",
+       "gravity must be a positive acceleration in m/s^2, got '0'"},
+      {"1 template rods 1 " + good + "interval 1 velocity 1", "value of velocity is missing"},
+      {"1 template rods 1 " + good + "interval 1 velocity 1 -1",
+       "velocity must be two of velocities in m/s, the lower one first"},
+      {"1 template rods 1 " + good + "interval 1 angle 90 0",
+       "angle must be two of angles in degrees, the lower one first"},
+      {"1 template rods 1 " + good + "interval 1 speed 1",
+       "unknown keyword 'speed', expected one of angle, fall"},
+      {"1 template rods 1 " + good + "fall 0.1", "fall needs a fix gravity or keyword gravity"},
+      {"1 template rods 1 " + good + "fall 0.1\nfix g all gravity 9.81 vector 1 0 0",
+       "fall needs gravity along -y"},
+      {"1 template rods 1 " + good + "interval 1e-6",
+       "the time between two lines must be at least one time step"},
+  };
+  for (const auto& [arguments, message] : cases) {
+    const auto run = run_liggghts(R"(
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+soft_particles yes
+region box block 0 0.1 0 0.1 -0.005 0.005 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+fix e all property/global youngsModulus peratomtype 1e6
+fix p all property/global poissonsRatio peratomtype 0.3
+fix r all property/global coefficientRestitution peratomtypepair 1 0.5
+fix c all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-5
+fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
+fix bodies all multisphere
+fix lines all insert/line )" + arguments +
+                                  "\nrun 1\n");
+    EXPECT_NE(run.exit_code, 0) << arguments;
+    EXPECT_NE(run.output.find("insert/line (id lines): "), std::string::npos) << arguments;
+    EXPECT_NE(run.output.find(message), std::string::npos) << message << "\n" << run.output;
+  }
+}
+
+TEST(InsertLine, RefusesBodiesWithoutFixMultisphere) {
+  const auto run = run_liggghts(R"(
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+soft_particles yes
+region box block 0 0.1 0 0.1 -0.005 0.005 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+fix e all property/global youngsModulus peratomtype 1e6
+fix p all property/global poissonsRatio peratomtype 0.3
+fix r all property/global coefficientRestitution peratomtypepair 1 0.5
+fix c all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
+fix lines all insert/line 1 template rods 1 per_line 2 x 0 0.1 y 0.05 total 4 interval 1
+run 1
+)");
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("template rods needs exactly one fix multisphere, got '0'"),
+            std::string::npos)
       << run.output;
 }
 

@@ -38,8 +38,9 @@ TEST(Planar, StaysPlanarOnTwoRanks) {
 
 TEST(Planar, WithoutTheFixTheSameSceneLeavesThePlane) {
   // Guards the test above against a scene in which nothing pulls out of the plane.
-  const auto run = run_liggghts(
-      deck, {{"steps", "12500"}, {"every", "12500"}, {"enforce", "property/atom dummy scalar no no no 0"}});
+  const auto run = run_liggghts(deck, {{"steps", "12500"},
+                                       {"every", "12500"},
+                                       {"enforce", "property/atom dummy scalar no no no 0"}});
   ASSERT_EQ(run.exit_code, 0) << run.output;
   // plain spheres and stock bodies fall along z by g_z t^2 / 2, g_z = 10 * 0.2 / sqrt(0.3^2 + 1 +
   // 0.2^2) = 1.88 m/s^2: 1 mm in 0.03 s
@@ -104,7 +105,8 @@ void expect_error(const std::string& deck_text, const std::string& message) {
 const std::string rods =
     "fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter "
     "0.003 surface smooth density 2500 planar yes\n"
-    "fix lines all insert/line 1 template rods 1 per_line 2 x 0 0.1 y 0.05 z 0 total 2 interval 1\n";
+    "fix lines all insert/line 1 template rods 1 per_line 2 x 0 0.1 y 0.05 z 0 total 2 interval "
+    "1\n";
 
 TEST(Planar, RefusesWrongInput) {
   expect_error(scene("f f f", "fix plane all enforce2d/multisphere height 0"),

@@ -34,9 +34,11 @@ fix c all property/global coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3
 pair_style gran model hertz tangential history
 pair_coeff * *
 timestep 1e-5
-)" + templates + "\n" + insertion + R"(
+)" + templates +
+         "\n" + insertion + R"(
 fix bodies all multisphere
-)" + rest + R"(
+)" + rest +
+         R"(
 dump spheres all custom 1 spheres.dump id mol type x y z vx vy vz omegax omegay omegaz radius mass
 dump_modify spheres sort id format "%d %d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
 run 1
@@ -65,14 +67,14 @@ std::vector<double> moments(const std::string& output) {
 
 TEST(SpherocylinderTemplate, MassAndInertiaOfTheReferenceParticle) {
   // Mass: 2500 kg/m^3 times the union of 9 spheres of r = 1.5 mm, r apart; a lens of two of them is
-  // 5 pi r^3 / 12: V = pi r^3 (9 * 4/3 - 8 * 5/12). Inertia: 5 tangent spheres of M/5 at 0, +-d, +-2d:
-  // I_x = 2/5 M r^2, I_y = I_z = I_x + 2 d^2 M. Coarse and smooth share both.
+  // 5 pi r^3 / 12: V = pi r^3 (9 * 4/3 - 8 * 5/12). Inertia: 5 tangent spheres of M/5 at 0, +-d,
+  // +-2d: I_x = 2/5 M r^2, I_y = I_z = I_x + 2 d^2 M. Coarse and smooth share both.
   const double r = 1.5e-3, d = 3e-3;
   const double mass = 2500 * M_PI * r * r * r * (9 * 4. / 3. - 8 * 5. / 12.);
   for (const std::string surface : {"smooth", "coarse", "overlap 0.2"}) {
-    const auto run = run_liggghts(scene(
-        rods("aspect_ratio 5 diameter 0.003 surface " + surface + " density constant 2500"),
-        one_line(3)));
+    const auto run = run_liggghts(
+        scene(rods("aspect_ratio 5 diameter 0.003 surface " + surface + " density constant 2500"),
+              one_line(3)));
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const Table spheres = read_dump(run.folder / "spheres.dump");
     for (double m : spheres.column("mass")) EXPECT_NEAR(m, mass, 1e-10 * mass);
@@ -114,8 +116,7 @@ TEST(SpherocylinderTemplate, DrawnDiametersSpreadEvenlyAndKeepTheAxialLength) {
   const Table spheres = read_dump(run.folder / "spheres.dump");
   ASSERT_EQ(spheres.rows(), 9000u);
   std::map<double, std::vector<std::size_t>> bodies;
-  for (std::size_t i = 0; i < spheres.rows(); ++i)
-    bodies[spheres.column("mol")[i]].push_back(i);
+  for (std::size_t i = 0; i < spheres.rows(); ++i) bodies[spheres.column("mol")[i]].push_back(i);
   ASSERT_EQ(bodies.size(), 1000u);
   double sum = 0, squares = 0, cosines = 0, sines = 0;
   for (const auto& [body, rows] : bodies) {
@@ -149,8 +150,8 @@ TEST(SpherocylinderTemplate, DrawnDiametersSpreadEvenlyAndKeepTheAxialLength) {
 }
 
 TEST(SpherocylinderTemplate, MassFollowsTheDrawnSizeIfAsked) {
-  // own coarse chain of two tangent-or-overlapping spheres: AR = 2, centres l - d apart. d <= l/2 for
-  // the draws below 1: two full spheres; above, they overlap.
+  // own coarse chain of two tangent-or-overlapping spheres: AR = 2, centres l - d apart. d <= l/2
+  // for the draws below 1: two full spheres; above, they overlap.
   const auto run = run_liggghts(
       scene(rods("aspect_ratio 2 diameter 0.003 surface coarse density 2500 size_spread 0.05 "
                  "mass own follow_drawn_size yes"),
@@ -162,7 +163,8 @@ TEST(SpherocylinderTemplate, MassFollowsTheDrawnSizeIfAsked) {
     const double r = spheres.column("radius")[i], full = 2 * 4. / 3. * M_PI * r * r * r;
     const double h = 6e-3 - 2 * r;  // distance of the centres
     // lens of two spheres: pi (2r - h)^2 (h^2 + 4 h r) / (12 h)
-    const double lens = h < 2 * r ? M_PI * (2 * r - h) * (2 * r - h) * (h * h + 4 * h * r) / (12 * h) : 0;
+    const double lens =
+        h < 2 * r ? M_PI * (2 * r - h) * (2 * r - h) * (h * h + 4 * h * r) / (12 * h) : 0;
     EXPECT_NEAR(spheres.column("mass")[i], 2500 * (full - lens), 1e-9 * 2500 * full);
     separate += h > 2 * r;
   }
@@ -196,8 +198,10 @@ TEST(SpherocylinderTemplate, MixesWithOtherTemplatesInStockInsertion) {
       "constant 0.002\n" +
           rods("aspect_ratio 5 diameter 0.003 surface smooth density 2500", "a", "2") +
           rods("aspect_ratio 3 diameter 0.003 surface smooth curvature 60 density 2500 "
-               "atom_type 2", "b", "3"),
-      "fix mix all particledistribution/discrete/numberbased 32452843 4 stock 0.25 ball 0.25 a 0.25 "
+               "atom_type 2",
+               "b", "3"),
+      "fix mix all particledistribution/discrete/numberbased 32452843 4 stock 0.25 ball 0.25 a "
+      "0.25 "
       "b 0.25\n"
       "fix pack all insert/pack seed 32452867 distributiontemplate mix insert_every once "
       "overlapcheck yes orientation random all_in yes particles_in_region 40 region box\n"));
@@ -260,7 +264,8 @@ TEST(SpherocylinderTemplate, RefusesWrongInput) {
       {"11 type 0 " + good, "type must be a body type of at least 1, got '0'"},
       {"11 type 1.5 " + good, "type must be a body type of at least 1, got '1.5'"},
       {"11 type 1 " + good + " atom_type 3", "atom_type must be at most 2"},
-      {"11 type 1 " + good + " mass 3", "mass must be reference, own or given M IXX IYY IZZ, got '3'"},
+      {"11 type 1 " + good + " mass 3",
+       "mass must be reference, own or given M IXX IYY IZZ, got '3'"},
       {"11 type 1 " + good + " mass given -1 1 1 1",
        "mass given M must be a positive mass in kg, got '-1'"},
       {"11 type 1 " + good + " mass given 1 1 1 3", "none exceeds the sum of the other two"},
@@ -276,8 +281,7 @@ TEST(SpherocylinderTemplate, RefusesWrongInput) {
        "diameter"},
   };
   for (const auto& [arguments, message] : cases) {
-    const auto run =
-        run_liggghts(scene("fix rods all " + style + " " + arguments, one_line(2)));
+    const auto run = run_liggghts(scene("fix rods all " + style + " " + arguments, one_line(2)));
     EXPECT_NE(run.exit_code, 0) << arguments;
     EXPECT_NE(run.output.find(style + " (id rods): "), std::string::npos) << arguments;
     EXPECT_NE(run.output.find(message), std::string::npos) << message << "\n" << run.output;

@@ -18,9 +18,10 @@ TEST(VolumeShares, TouchingSpheresShareEqually) {
 }
 
 TEST(VolumeShares, SmoothChainSplitsEachLensBetweenItsTwoSpheres) {
-  // AR = 2, f = 1/2: three spheres of radius r, r apart; the outer two touch. The lens of two spheres
-  // h apart has the volume pi (2r - h)^2 (h^2 + 4 h r) / (12 h) = 5 pi r^3 / 12 at h = r. Each sphere
-  // gives up half of its lenses: in units of pi r^3, 4/3 - 5/24 (ends) and 4/3 - 5/12 (middle).
+  // AR = 2, f = 1/2: three spheres of radius r, r apart; the outer two touch. The lens of two
+  // spheres h apart has the volume pi (2r - h)^2 (h^2 + 4 h r) / (12 h) = 5 pi r^3 / 12 at h = r.
+  // Each sphere gives up half of its lenses: in units of pi r^3, 4/3 - 5/24 (ends) and 4/3 - 5/12
+  // (middle).
   const double end = 4. / 3. - 5. / 24., middle = 4. / 3. - 5. / 12.;
   const auto shares = volume_shares(ChainShape{2, d, 0.5, 0, d});
   ASSERT_EQ(shares.size(), 3u);

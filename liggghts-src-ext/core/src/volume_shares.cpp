@@ -41,8 +41,7 @@ std::vector<double> volume_shares(const ChainShape& shape) {
   if (centres.size() == 1) return {1.};
 
   const double radius = 0.5 * shape.diameter;
-  const double spacing =
-      std::hypot(centres[1][0] - centres[0][0], centres[1][1] - centres[0][1]);
+  const double spacing = std::hypot(centres[1][0] - centres[0][0], centres[1][1] - centres[0][1]);
   std::vector<double> x;
   for (std::size_t i = 0; i < centres.size(); ++i) x.push_back(spacing * static_cast<double>(i));
   std::vector<double> borders;

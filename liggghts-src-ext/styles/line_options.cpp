@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "line_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include "domain.h"
+#include "fix_template_sphere.h"
+#include "lammps.h"
+#include "modify.h"
+#include "style_arguments.h"
+
+namespace LAMMPS_NS {
+
+namespace {
+
+bool any(double) { return true; }
+bool positive(double value) { return value > 0; }
+bool at_least_one(long value) { return value >= 1; }
+
+const std::set<std::string> keywords = {"template", "per_line", "x",      "y",
+                                        "z",        "total",    "fall",   "interval",
+                                        "velocity", "angle",    "gravity"};
+
+std::string list_of_keywords() {
+  std::string list;
+  for (const std::string& known : keywords) list += (list.empty() ? "" : ", ") + known;
+  return list;
+}
+
+void read_templates(LAMMPS* lmp, StyleArguments& arguments, LineOptions& options) {
+  do {
+    const std::string name =
+        arguments.word("template", "the id of a fix particletemplate and its fraction");
+    const int index = lmp->modify->find_fix(name.c_str());
+    auto* particles = index < 0 ? NULL : dynamic_cast<FixTemplateSphere*>(lmp->modify->fix[index]);
+    if (!particles) arguments.reject("template", "the id of a fix particletemplate", name);
+    for (const LineOptions::Part& other : options.parts)
+      if (other.particles == particles) arguments.fail("template " + name + " is given twice");
+    options.parts.push_back(
+        {particles, arguments.number("template " + name, "a positive fraction", positive)});
+  } while (arguments.more() && !keywords.count(arguments.peek()));
+}
+
+void read_range(StyleArguments& arguments, const std::string& keyword, const char* expected,
+                double unit, double& low, double& high) {
+  low = arguments.number(keyword, expected, any);
+  high = arguments.number(keyword, expected, any);
+  if (low > high || (keyword == "x" && low == high))
+    arguments.reject(keyword, std::string("two of ") + expected + ", the lower one first",
+                     std::to_string(low) + " " + std::to_string(high));
+  low *= unit;
+  high *= unit;
+}
+
+void read_keyword(LAMMPS* lmp, StyleArguments& arguments, const std::string& keyword,
+                  LineOptions& options) {
+  if (keyword == "template") {
+    read_templates(lmp, arguments, options);
+  } else if (keyword == "per_line") {
+    options.per_line = arguments.integer(keyword, "an integer of at least 1", at_least_one);
+  } else if (keyword == "total") {
+    options.total = arguments.integer(keyword, "an integer of at least 1", at_least_one);
+  } else if (keyword == "x") {
+    read_range(arguments, keyword, "positions in m", 1., options.x_low, options.x_high);
+  } else if (keyword == "y") {
+    options.y = arguments.number(keyword, "a position in m", any);
+  } else if (keyword == "z") {
+    options.z = arguments.number(keyword, "a position in m", any);
+  } else if (keyword == "fall") {
+    options.fall = arguments.number(keyword, "a positive height in m", positive);
+  } else if (keyword == "interval") {
+    options.interval = arguments.number(keyword, "a positive time in s", positive);
+  } else if (keyword == "gravity") {
+    options.gravity = arguments.number(keyword, "a positive acceleration in m/s^2", positive);
+  } else if (keyword == "velocity") {
+    read_range(arguments, keyword, "velocities in m/s", 1., options.velocity_low,
+               options.velocity_high);
+  } else if (keyword == "angle") {
+    read_range(arguments, keyword, "angles in degrees", M_PI / 180., options.angle_low,
+               options.angle_high);
+  } else {
+    arguments.fail("unknown keyword '" + keyword + "', expected one of " + list_of_keywords());
+  }
+}
+
+void check_room(const Domain& domain, const StyleArguments& arguments, const LineOptions& options) {
+  char text[256];
+  const double cell = (options.x_high - options.x_low) / options.per_line;
+  for (const LineOptions::Part& part : options.parts) {
+    const double width = 2. * part.particles->max_r_bound();
+    if (width <= cell * (1. + 1e-9)) continue;
+    std::snprintf(
+        text, sizeof text,
+        "particles of template %s are %g m wide at some angle and do not fit: per_line %d "
+        "from x = %g to %g leaves each a cell of %g m",
+        part.particles->id, width, options.per_line, options.x_low, options.x_high, cell);
+    arguments.fail(text);
+  }
+  const double low[3] = {options.x_low, options.y, options.z};
+  const double high[3] = {options.x_high, options.y, options.z};
+  for (int d = 0; d < 3; ++d) {
+    const int shrink_wrapped = 2;  // Domain::boundary from this value on
+    const bool below = domain.boundary[d][0] < shrink_wrapped && low[d] < domain.boxlo[d];
+    const bool above = domain.boundary[d][1] < shrink_wrapped && high[d] > domain.boxhi[d];
+    if (!below && !above) continue;
+    std::snprintf(text, sizeof text, "%c must lie in the simulation box from %g to %g, got '%g'",
+                  "xyz"[d], domain.boxlo[d], domain.boxhi[d], below ? low[d] : high[d]);
+    arguments.fail(text);
+  }
+}
+
+}  // namespace
+
+std::vector<int> LineOptions::numbers() const {
+  double sum = 0;
+  for (const Part& part : parts) sum += part.fraction;
+  std::vector<int> numbers;
+  std::vector<std::pair<double, std::size_t>> remainders;  // negative: largest first when sorted
+  int missing = total;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double exact = total * parts[i].fraction / sum;
+    numbers.push_back(static_cast<int>(exact));
+    missing -= numbers.back();
+    remainders.push_back({numbers.back() - exact, i});
+  }
+  std::sort(remainders.begin(), remainders.end());
+  for (int i = 0; i < missing; ++i) ++numbers[remainders[i].second];
+  return numbers;
+}
+
+LineOptions read_line_options(LAMMPS* lmp, int narg, char** arg) {
+  StyleArguments arguments(lmp, narg, arg);
+  LineOptions options;
+  options.seed =
+      arguments.integer("seed", "a positive integer", [](long value) { return value > 0; });
+  std::set<std::string> seen;
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "");
+    if (!seen.insert(keyword).second) arguments.fail("keyword " + keyword + " is given twice");
+    read_keyword(lmp, arguments, keyword, options);
+  }
+  for (const char* needed : {"template", "per_line", "x", "y", "total"})
+    if (!seen.count(needed)) arguments.fail(std::string("keyword ") + needed + " is missing");
+  if (seen.count("fall") == seen.count("interval"))
+    arguments.fail("needs either fall H or interval T");
+  if (lmp->domain->dimension != 3)
+    arguments.reject("dimension", "3", std::to_string(lmp->domain->dimension));
+  if (lmp->domain->triclinic) arguments.fail("does not work with a triclinic box");
+  check_room(*lmp->domain, arguments, options);
+  return options;
+}
+
+}  // namespace LAMMPS_NS
