@@ -16,13 +16,13 @@ void add_rdf(CLI::App& app) {
     std::string stem = "rdf";
   };
   auto options = std::make_shared<Options>();
-  auto* command =
-      app.add_subcommand("rdf",
-                         "Radial distribution function G(r) of the centres of mass. Centres lie "
-                         "further than (10 + AR) "
-                         "d_p from the walls and from the surface of the bed (less in a small bed, "
-                         "and the report says "
-                         "so); their neighbours count wherever they are. G tends to 1 at large r.");
+  auto* command = app.add_subcommand(
+      "rdf",
+      "Radial distribution function G(r) of the centres of mass. Centres lie "
+      "further than (10 + AR) "
+      "d_p from the walls and from the surface of the bed (less in a small bed, "
+      "and the report says "
+      "so); their neighbours count up to AR d_p from them. G tends to 1 at large r.");
   command->footer(
       "Example:\n"
       "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --r-max 15\n"
