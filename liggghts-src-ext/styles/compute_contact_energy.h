@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef COMPUTE_CLASS
+ComputeStyle(contact/energy,ComputeContactEnergy)
+#else
+#ifndef LMP_COMPUTE_CONTACT_ENERGY_H
+#define LMP_COMPUTE_CONTACT_ENERGY_H
+
+#include "compute.h"
+#include "contact_recorder.h"
+
+namespace LAMMPS_NS {
+
+/// Elastic energy of all contacts, J: scalar sum k_n delta^2 / 2 + k_t s^2 / 2; vector (normal,
+/// tangential).
+class ComputeContactEnergy : public Compute {
+ public:
+  ComputeContactEnergy(class LAMMPS* lmp, int& iarg, int narg, char** arg);
+  ~ComputeContactEnergy();
+  void init();
+  double compute_scalar();
+  void compute_vector();
+
+ private:
+  ContactRecorder recorder_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

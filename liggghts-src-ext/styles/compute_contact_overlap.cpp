@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "compute_contact_overlap.h"
+
+#include <mpi.h>
+#include <algorithm>
+#include <set>
+#include <utility>
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "particle_identity.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+ComputeContactOverlap::ComputeContactOverlap(LAMMPS* lmp, int& iarg, int narg, char** arg)
+    : Compute(lmp, iarg, narg, arg), recorder_(lmp) {
+  if (narg != iarg + 1)
+    error->compute_error(FLERR, this, "expected one argument, the largest overlap allowed (m)");
+  limit_ = force->numeric(FLERR, arg[iarg]);
+  if (!(limit_ > 0.0))
+    error->compute_error(
+        FLERR, this, (std::string("overlap is ") + arg[iarg] + ", expected a length > 0").c_str());
+  ++iarg;
+  if (igroup != 0)
+    error->compute_error(FLERR, this, "counts all contacts: the group has to be 'all'");
+  scalar_flag = vector_flag = 1;
+  extscalar = extvector = 0;
+  size_vector = 3;
+  vector = new double[size_vector];
+}
+
+ComputeContactOverlap::~ComputeContactOverlap() { delete[] vector; }
+
+void ComputeContactOverlap::init() { recorder_.check_models(std::string("compute ") + style); }
+
+double ComputeContactOverlap::compute_scalar() {
+  invoked_scalar = update->ntimestep;
+  compute_vector();
+  scalar = vector[0];
+  return scalar;
+}
+
+void ComputeContactOverlap::compute_vector() {
+  invoked_vector = update->ntimestep;
+  const ParticleIdentity particles(lmp);
+  double deepest = 0.0;
+  bigint contacts = 0;
+  std::vector<int> deep;  // pairs of particle ids, flat
+  for (const ContactRecord& contact : recorder_.collect(std::string("compute ") + style)) {
+    if (!contact.primary) continue;
+    ++contacts;
+    deepest = std::max(deepest, contact.overlap);
+    if (contact.j < 0 || contact.overlap <= limit_) continue;
+    const std::pair<int, int> ids =
+        std::minmax({particles.id_of(contact.i), particles.id_of(contact.j)});
+    deep.push_back(ids.first);
+    deep.push_back(ids.second);
+  }
+
+  // Two chains may touch on several ranks, so the pairs are counted where all of them are known.
+  const int own = static_cast<int>(deep.size());
+  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
+  MPI_Allgather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
+  for (int rank = 1; rank < comm->nprocs; ++rank) starts[rank] = starts[rank - 1] + sizes[rank - 1];
+  std::vector<int> all(starts.back() + sizes.back());
+  MPI_Allgatherv(deep.data(), own, MPI_INT, all.data(), sizes.data(), starts.data(), MPI_INT, world);
+  std::set<std::pair<int, int>> pairs;
+  for (std::size_t k = 0; k < all.size(); k += 2) pairs.insert({all[k], all[k + 1]});
+
+  bigint all_contacts = 0;
+  MPI_Allreduce(&contacts, &all_contacts, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  MPI_Allreduce(&deepest, &vector[1], 1, MPI_DOUBLE, MPI_MAX, world);
+  vector[0] = static_cast<double>(pairs.size());
+  vector[2] = static_cast<double>(all_contacts);
+}
+
+}  // namespace LAMMPS_NS

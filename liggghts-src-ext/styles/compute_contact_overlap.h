@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef COMPUTE_CLASS
+ComputeStyle(contact/overlap,ComputeContactOverlap)
+#else
+#ifndef LMP_COMPUTE_CONTACT_OVERLAP_H
+#define LMP_COMPUTE_CONTACT_OVERLAP_H
+
+#include "compute.h"
+#include "contact_recorder.h"
+
+namespace LAMMPS_NS {
+
+/// Particles that lie too deep in each other. Scalar: number of pairs of particles with an overlap
+/// above the given length in at least one of their contacts; vector (that number, largest overlap of
+/// all contacts in m, number of contacts), walls included in the last two.
+class ComputeContactOverlap : public Compute {
+ public:
+  ComputeContactOverlap(class LAMMPS* lmp, int& iarg, int narg, char** arg);
+  ~ComputeContactOverlap();
+  void init();
+  double compute_scalar();
+  void compute_vector();
+
+ private:
+  ContactRecorder recorder_;
+  double limit_;  // m
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "compute_multisphere_ke.h"
+
+#include <mpi.h>
+#include <string>
+#include "atom.h"
+#include "error.h"
+#include "fix_multisphere.h"
+#include "particle_identity.h"
+#include "update.h"
+#include "vector_liggghts.h"
+
+namespace LAMMPS_NS {
+
+ComputeMultisphereKe::ComputeMultisphereKe(LAMMPS* lmp, int& iarg, int narg, char** arg)
+    : Compute(lmp, iarg, narg, arg) {
+  if (narg > iarg)
+    error->compute_error(FLERR, this, (std::string("unknown keyword ") + arg[iarg]).c_str());
+  if (igroup != 0)
+    error->compute_error(FLERR, this, "counts whole bodies: the group has to be 'all'");
+  if (!atom->sphere_flag) error->compute_error(FLERR, this, "requires atom style sphere");
+  scalar_flag = vector_flag = 1;
+  extscalar = extvector = 1;
+  size_vector = 2;
+  vector = new double[size_vector];
+}
+
+ComputeMultisphereKe::~ComputeMultisphereKe() { delete[] vector; }
+
+double ComputeMultisphereKe::compute_scalar() {
+  invoked_scalar = update->ntimestep;
+  compute_vector();
+  scalar = vector[0] + vector[1];
+  return scalar;
+}
+
+void ComputeMultisphereKe::compute_vector() {
+  invoked_vector = update->ntimestep;
+  const ParticleIdentity particles(lmp);
+  double own[2] = {0.0, 0.0};
+
+  if (particles.bodies() && particles.bodies()->n_body() > 0) {
+    Multisphere& data = particles.bodies()->data();
+    double** const inertia = data.extract_double_vector("inertia");
+    double** const axes[3] = {data.extract_double_vector("ex_space"),
+                              data.extract_double_vector("ey_space"),
+                              data.extract_double_vector("ez_space")};
+    for (int k = 0; k < data.n_body(); ++k) {
+      double velocity[3], omega[3];
+      data.vcm(velocity, k);
+      data.omega(omega, k);
+      own[0] += 0.5 * data.mass(k) * vectorMag3DSquared(velocity);
+      for (int d = 0; d < 3; ++d) {
+        const double about_axis = vectorDot3D(omega, axes[d][k]);
+        own[1] += 0.5 * inertia[k][d] * about_axis * about_axis;
+      }
+    }
+  }
+
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (particles.body_of(i) >= 0) continue;
+    const double mass = atom->rmass[i];
+    const double radius = atom->radius[i];
+    own[0] += 0.5 * mass * vectorMag3DSquared(atom->v[i]);
+    own[1] += 0.5 * (0.4 * mass * radius * radius) * vectorMag3DSquared(atom->omega[i]);
+  }
+  MPI_Allreduce(own, vector, 2, MPI_DOUBLE, MPI_SUM, world);
+}
+
+}  // namespace LAMMPS_NS

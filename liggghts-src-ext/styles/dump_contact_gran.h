@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef DUMP_CLASS
+DumpStyle(contact/gran,DumpContactGran)
+#else
+#ifndef LMP_DUMP_CONTACT_GRAN_H
+#define LMP_DUMP_CONTACT_GRAN_H
+
+#include "contact_recorder.h"
+#include "table_dump.h"
+
+namespace LAMMPS_NS {
+
+/// One line per contact, sphere on sphere or on wall; see doc/dump_contact_gran.md.
+class DumpContactGran : public TableDump {
+ public:
+  DumpContactGran(class LAMMPS* lmp, int narg, char** arg);
+
+ protected:
+  void init_style();
+  void list_rows();
+
+ private:
+  ContactRecorder recorder_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

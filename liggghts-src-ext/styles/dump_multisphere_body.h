@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef DUMP_CLASS
+DumpStyle(multisphere/body,DumpMultisphereBody)
+#else
+#ifndef LMP_DUMP_MULTISPHERE_BODY_H
+#define LMP_DUMP_MULTISPHERE_BODY_H
+
+#include "table_dump.h"
+
+namespace LAMMPS_NS {
+
+/// One line per particle, body or plain sphere; see doc/dump_multisphere_body.md.
+class DumpMultisphereBody : public TableDump {
+ public:
+  DumpMultisphereBody(class LAMMPS* lmp, int narg, char** arg);
+
+ protected:
+  void list_rows();
+
+ private:
+  struct Chain {  // of one body
+    double half_length, radius, curvature, area;
+  };
+  std::vector<Chain> list_chains(const class ParticleIdentity& particles) const;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

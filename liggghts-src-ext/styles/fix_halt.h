@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef FIX_CLASS
+FixStyle(halt,FixHalt)
+#else
+#ifndef LMP_FIX_HALT_H
+#define LMP_FIX_HALT_H
+
+#include <string>
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+/// Ends a run when an equal-style variable meets a condition; the input script goes on. Scalar: 1 if
+/// the last run was ended by this fix, else 0.
+class FixHalt : public Fix {
+ public:
+  FixHalt(class LAMMPS* lmp, int narg, char** arg);
+  int setmask();
+  void init();
+  void setup(int vflag);
+  void end_of_step();
+  void post_run();
+  double compute_scalar() { return halted_ ? 1.0 : 0.0; }
+
+ private:
+  enum Operator { LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL };
+  void parse_operator(const char* text);
+  bool holds(double left) const;
+
+  std::string variable_;
+  int index_;  // of the variable
+  Operator operator_;
+  std::string operator_text_;
+  double value_;
+  bigint start_;  // no check before this step
+  bool message_;
+  bool halted_;
+  bool quit_set_here_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

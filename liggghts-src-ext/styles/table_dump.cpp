@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "table_dump.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include "domain.h"
+#include "error.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+TableDump::TableDump(LAMMPS* lmp, int narg, char** arg) : Dump(lmp, narg, arg) {
+  if (narg > 5) stop(std::string("unknown argument ") + arg[5]);
+  if (binary) stop(std::string("is text only, not ") + filename);
+}
+
+void TableDump::stop(const std::string& text) const {
+  error->all(FLERR, (std::string("Dump ") + style + " (id " + id + "): " + text).c_str());
+}
+
+void TableDump::set_columns(const std::string& label, const std::vector<Column>& columns) {
+  label_ = label;
+  columns_ = columns;
+  size_one = static_cast<int>(columns.size());
+}
+
+void TableDump::init_style() {
+  if (domain->triclinic) stop("does not support a triclinic box");
+  // Of 'dump_modify format', one conversion for all real numbers makes sense here.
+  const char* const format_real = format_user ? format_user : "%.16g";
+  const char* const letter = format_real + std::strlen(format_real) - 1;
+  if (format_real[0] != '%' || !std::strchr("efgEFG", *letter) ||
+      std::strcspn(format_real + 1, "% *lL") != std::strlen(format_real) - 1)
+    stop(std::string("format is '") + format_real + "', expected one like %.16g");
+  delete[] format;
+  format = new char[std::strlen(format_real) + 1];
+  std::strcpy(format, format_real);
+  domain->boundary_string(boundstr);
+  if (!multifile) openfile();
+}
+
+// As Dump::openfile, which has room for 115 characters of a compressed file's name only.
+void TableDump::openfile() {
+  if (singlefile_opened) return;
+  if (!multifile) singlefile_opened = 1;
+  std::string name = multiproc ? multiname : filename;
+  const std::size_t star = name.find('*');
+  if (star != std::string::npos) {
+    char step[64];
+    std::snprintf(step, sizeof(step), "%0*lld", padflag,
+                  static_cast<long long>(update->ntimestep));
+    name.replace(star, 1, step);
+  }
+  fp = NULL;
+  if (!filewriter) return;
+  if (compressed) {
+    if (name.find('\'') != std::string::npos) stop("file name " + name + " contains a quote");
+    fp = popen((std::string("gzip -6 ") + (append_flag ? ">> '" : "> '") + name + "'").c_str(), "w");
+  } else {
+    fp = fopen(name.c_str(), append_flag ? "a" : "w");
+  }
+  if (!fp) error->one(FLERR, ("Cannot open dump file " + name).c_str());
+}
+
+int TableDump::count() {
+  rows_.clear();
+  ids_.clear();
+  list_rows();
+  return static_cast<int>(ids_.size());
+}
+
+void TableDump::pack(int* ids) {
+  std::copy(rows_.begin(), rows_.end(), buf);
+  if (ids) std::copy(ids_.begin(), ids_.end(), ids);
+}
+
+void TableDump::write_header(bigint entries) {
+  fprintf(fp, "ITEM: TIMESTEP\n" BIGINT_FORMAT "\n", update->ntimestep);
+  fprintf(fp, "ITEM: NUMBER OF %s\n" BIGINT_FORMAT "\n", label_.c_str(), entries);
+  fprintf(fp, "ITEM: BOX BOUNDS %s\n", boundstr);
+  fprintf(fp, "%.16g %.16g\n%.16g %.16g\n%.16g %.16g\n", boxxlo, boxxhi, boxylo, boxyhi, boxzlo,
+          boxzhi);
+  fprintf(fp, "ITEM: %s", label_.c_str());
+  for (const Column& column : columns_) fprintf(fp, " %s", column.name.c_str());
+  fputc('\n', fp);
+}
+
+void TableDump::write_data(int lines, double* values) {
+  for (int line = 0; line < lines; ++line) {
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (k) fputc(' ', fp);
+      if (columns_[k].integer)
+        fprintf(fp, "%.0f", *values++);
+      else
+        fprintf(fp, format, *values++);
+    }
+    fputc('\n', fp);
+  }
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef TANGENTIAL_MODEL
+TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
+#else
+#ifndef TANGENTIAL_MODEL_SPRING_DASHPOT_H_
+#define TANGENTIAL_MODEL_SPRING_DASHPOT_H_
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include "contact_models.h"
+#include "contact_recorder.h"
+#include "error.h"
+#include "fix.h"
+#include "global_properties.h"
+#include "modify.h"
+#include "normal_model_spring_dashpot.h"
+#include "rodpack/contact_law.h"
+#include "rodpack/multistep.h"
+#include "tangential_model_base.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+// Spring and dashpot in the plane of contact, capped at mu times the elastic normal force (Lu et al.,
+// Granular Matter 18:34, 2016, section 2; the formula is rodpack::tangential_force). The spring is
+// the integral of the tangential velocity over the life of the contact, by the multistep formula of
+// the integrator that runs.
+//
+// History of a contact: spring (3), the last N tangential velocities, newest first (3 N), number of
+// velocities known (negative while sliding), step of the last update. Vectors change sign when the
+// partners swap, so their flag is "1".
+template <>
+class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
+ public:
+  TangentialModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
+      : TangentialModelBase(lmp, hsetup, c),
+        friction_(NULL),
+        slots_setting_(3.0),
+        slots_(0),
+        offset_(-1),
+        order_(0) {}
+
+  void registerSettings(Settings& settings) {
+    settings.registerDoubleSetting("multistepOrder", slots_setting_, 3.0);
+  }
+
+  void postSettings(IContactHistorySetup* hsetup, ContactModelBase*) {
+    slots_ = static_cast<int>(slots_setting_);
+    if (slots_ != slots_setting_ || slots_ < 1 || slots_ > rodpack::max_multistep_order) {
+      const std::string text = "tangential spring_dashpot: multistepOrder is " +
+                               std::to_string(slots_setting_) + ", expected 1, 2, 3 or 4";
+      error->all(FLERR, text.c_str());
+    }
+    for (int value = 0; value < 3 * (slots_ + 1); ++value) {
+      const int index = hsetup->add_history_value("spring_dashpot_" + std::to_string(value), "1");
+      if (value == 0) offset_ = index;
+    }
+    hsetup->add_history_value("spring_dashpot_count", "0");
+    hsetup->add_history_value("spring_dashpot_step", "0");
+  }
+
+  void connectToProperties(PropertyRegistry& registry) {
+    if (offset_ < 0)
+      error->all(FLERR,
+                 "tangential spring_dashpot: repeat the pair_style command after read_restart");
+    registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
+    registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
+    check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
+                     "a coefficient >= 0");
+    order_ = running_order();
+    if (order_ > slots_) {
+      const std::string order = std::to_string(order_);
+      const std::string text = "tangential spring_dashpot: the integrator that runs is of order " +
+                               order + ", but the contact history is made for multistepOrder " +
+                               std::to_string(slots_) + ": append 'multistepOrder " + order +
+                               "' to pair_style gran and every fix wall/gran";
+      error->all(FLERR, text.c_str());
+    }
+  }
+
+  void surfacesIntersect(const SurfacesIntersectData& sidata, ForceData& i_forces,
+                         ForceData& j_forces) {
+    if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_TANGENTIAL_MODEL;
+    double* const history = &sidata.contact_history[offset_];
+    const bool update = sidata.computeflag && sidata.shearupdate;
+    if (update)
+      advance(sidata, history);
+    else if (sidata.computeflag && count(history) != 0.0)
+      // Setup of a run: the neighbour lists are new, so whatever has history is touching; it lives
+      // on even when the time step counter was reset.
+      step(history) = static_cast<double>(this->update->ntimestep);
+
+    const double velocity[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
+    double spring[3] = {history[0], history[1], history[2]};
+    double tangential[3];
+    bool sliding = count(history) < 0.0 && sidata.kt > 0.0;
+    if (update || !sliding) {
+      const double cap = friction_[sidata.itype][sidata.jtype] * sidata.kn * sidata.deltan;
+      sliding = rodpack::tangential_force(sidata.kt, sidata.gammat, std::max(cap, 0.0), spring,
+                                          velocity, tangential);
+    }
+    // A sliding contact's spring alone carries the force: taken from it, the force is the same when
+    // it is evaluated again in the same step.
+    if (sliding && sidata.kt > 0.0)
+      for (int d = 0; d < 3; ++d) tangential[d] = -sidata.kt * spring[d];
+    if (update) {
+      std::copy(spring, spring + 3, history);
+      if (sliding) count(history) = -count(history);
+    }
+    apply(sidata, tangential, i_forces, j_forces);
+    if (ContactRecorder* recorder = ContactRecorder::armed())
+      recorder->add_tangential(spring, sidata.kt, i_forces);
+  }
+
+  void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
+    if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_TANGENTIAL_MODEL;
+    if (scdata.contact_history)
+      std::fill_n(&scdata.contact_history[offset_], 3 * (slots_ + 1) + 2, 0.0);
+  }
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+
+ private:
+  double& count(double* history) const { return history[3 * (slots_ + 1)]; }
+  double& step(double* history) const { return history[3 * (slots_ + 1) + 1]; }
+
+  /// Order of the multistep integrator among the fixes, 0 if none: velocity Verlet.
+  int running_order() const {
+    int order = 0;
+    for (int i = 0; i < modify->nfix; ++i) {
+      int dim = 0;
+      const int* found = static_cast<int*>(modify->fix[i]->extract("multistep_order", dim));
+      if (!found) continue;
+      if (order != 0 && order != *found)
+        error->all(FLERR,
+                   "tangential spring_dashpot: all multistep integrators need the same order");
+      order = *found;
+    }
+    return order;
+  }
+
+  /// Brings the spring from the last step to this one and stores this step's velocity.
+  void advance(const SurfacesIntersectData& sidata, double* history) const {
+    const double now = static_cast<double>(update->ntimestep);
+    const double dt = update->dt;
+    const double velocity[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
+    double* const newest = history + 3;
+
+    // LIGGGHTS tells a model of a separation only if the spheres are still close then. A contact that
+    // was not updated in the last step is a new one, whatever is in its history.
+    const bool alive = count(history) != 0.0 && step(history) == now - 1.0;
+    step(history) = now;
+    if (!alive) {
+      // The life of the contact began within the last step, when the gap closed.
+      const double since_touch = sidata.vn < 0.0 ? std::min(dt, -sidata.deltan / sidata.vn) : 0.0;
+      for (int d = 0; d < 3; ++d) history[d] = since_touch * velocity[d];
+      std::fill_n(newest, 3 * slots_, 0.0);
+      std::copy(velocity, velocity + 3, newest);
+      count(history) = 1.0;
+      return;
+    }
+
+    const int known = static_cast<int>(std::fabs(count(history)));
+    turn_with_contact(sidata.en, history);
+    if (order_ == 0) {
+      // Velocity Verlet shows the velocity at half the step: the midpoint rule.
+      for (int d = 0; d < 3; ++d) history[d] += dt * velocity[d];
+      std::copy(velocity, velocity + 3, newest);
+      count(history) = 1.0;
+      return;
+    }
+    const rodpack::MultistepWeights& weights = rodpack::multistep_weights(order_, known);
+    for (int k = 0; k < slots_; ++k) turn_with_contact(sidata.en, newest + 3 * k);
+    for (int d = 0; d < 3; ++d)
+      history[d] += rodpack::multistep_increment(weights, order_, dt,
+                                                 [&](int k) { return newest[3 * k + d]; });
+    std::copy_backward(newest, newest + 3 * (slots_ - 1), newest + 3 * slots_);
+    std::copy(velocity, velocity + 3, newest);
+    count(history) = std::min(known, slots_) + 1.0;
+  }
+
+  /// Turns a vector of the former plane of contact into the present one, of normal `en`, by
+  /// projection and a return to its length: projection alone would shrink it at first order in dt.
+  static void turn_with_contact(const double* en, double* vector) {
+    const double before = vectorMag3DSquared(vector);
+    if (before == 0.0) return;
+    const double normal = vectorDot3D(vector, en);
+    for (int d = 0; d < 3; ++d) vector[d] -= normal * en[d];
+    const double after = vectorMag3DSquared(vector);
+    if (after == 0.0) return;
+    vectorScalarMult3D(vector, std::sqrt(before / after));
+  }
+
+  static void apply(const SurfacesIntersectData& sidata, const double (&tangential)[3],
+                    ForceData& i_forces, ForceData& j_forces) {
+    const double share = sidata.is_wall ? sidata.area_ratio : 1.0;
+    double moment[3];  // en x F_t; both surfaces lie against the normal from j to i
+    vectorCross3D(sidata.en, tangential, moment);
+    for (int d = 0; d < 3; ++d) {
+      i_forces.delta_F[d] += share * tangential[d];
+      i_forces.delta_torque[d] -= share * sidata.cri * moment[d];
+      if (sidata.is_wall) continue;
+      j_forces.delta_F[d] -= tangential[d];
+      j_forces.delta_torque[d] -= sidata.crj * moment[d];
+    }
+  }
+
+  double** friction_;     // mu per type pair
+  double slots_setting_;  // as read; Settings knows only doubles
+  int slots_;             // N: velocities held per contact
+  int offset_;            // of the spring in a contact's history
+  int order_;             // of the integrator that runs, 0: velocity Verlet
+};
+
+}  // namespace ContactModels
+}  // namespace LIGGGHTS
+
+#endif
+#endif
