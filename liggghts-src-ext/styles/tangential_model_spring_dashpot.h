@@ -165,7 +165,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     const int known = static_cast<int>(std::fabs(count(history)));
     turn_with_contact(sidata.en, history);
     if (order_ == 0) {
-      // Velocity Verlet shows the velocity at half the step: the midpoint rule.
+      // Velocity Verlet shows the velocity at half the step, where the midpoint rule wants it.
       for (int d = 0; d < 3; ++d) history[d] += dt * velocity[d];
       std::copy(velocity, velocity + 3, newest);
       count(history) = 1.0;
