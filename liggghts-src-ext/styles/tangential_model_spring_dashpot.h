@@ -153,9 +153,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     const bool alive = count(history) != 0.0 && step(history) == now - 1.0;
     step(history) = now;
     if (!alive) {
-      // The life of the contact began within the last step, when the gap closed.
-      const double since_touch = sidata.vn < 0.0 ? std::min(dt, -sidata.deltan / sidata.vn) : 0.0;
-      for (int d = 0; d < 3; ++d) history[d] = since_touch * velocity[d];
+      start_spring(sidata, dt, history);
       std::fill_n(newest, 3 * slots_, 0.0);
       std::copy(velocity, velocity + 3, newest);
       count(history) = 1.0;
@@ -179,6 +177,36 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     std::copy_backward(newest, newest + 3 * (slots_ - 1), newest + 3 * slots_);
     std::copy(velocity, velocity + 3, newest);
     count(history) = std::min(known, slots_) + 1.0;
+  }
+
+  /// The life of a contact begins within a step, when the gap closes: sets the integral of the
+  /// tangential velocity from then on, with the velocities taken as constant.
+  static void start_spring(const SurfacesIntersectData& sidata, double dt, double* spring) {
+    const double now[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
+    if (sidata.is_wall) {
+      const double since_touch = sidata.vn < 0.0 ? std::min(dt, -sidata.deltan / sidata.vn) : 0.0;
+      for (int d = 0; d < 3; ++d) spring[d] = since_touch * now[d];
+      return;
+    }
+    double velocity[3];
+    vectorSubtract3D(sidata.v_i, sidata.v_j, velocity);
+    // |delta - t velocity| = r_i + r_j
+    const double approach = vectorDot3D(sidata.delta, velocity);
+    const double closed = sidata.radsum * sidata.radsum - sidata.rsq;
+    const double root = std::sqrt(approach * approach + vectorMag3DSquared(velocity) * closed);
+    const double since_touch = root > approach ? std::min(dt, closed / (root - approach)) : 0.0;
+
+    double normal[3], roll[3], spin[3], at_touch[3];
+    for (int d = 0; d < 3; ++d) {
+      normal[d] = sidata.delta[d] - since_touch * velocity[d];
+      spin[d] = sidata.radi * sidata.omega_i[d] + sidata.radj * sidata.omega_j[d];
+    }
+    vectorNormalize3D(normal);
+    vectorCross3D(spin, normal, roll);
+    const double closing = vectorDot3D(velocity, normal);
+    for (int d = 0; d < 3; ++d) at_touch[d] = velocity[d] - closing * normal[d] - roll[d];
+    turn_with_contact(sidata.en, at_touch);
+    for (int d = 0; d < 3; ++d) spring[d] = 0.5 * since_touch * (at_touch[d] + now[d]);
   }
 
   /// Turns a vector of the former plane of contact into the present one, of normal `en`, by

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "liggghts_run.h"
+#include "rodpack/chain_geometry.h"
+#include "rodpack/contact_law.h"
+#include "rodpack/mass_properties.h"
+
+using namespace rodpack::test;
+
+namespace {
+
+const char* const chains = "verification/chains/in.chains";
+constexpr double diameter = 3e-3;  // m
+
+const rodpack::ChainShape shape{3, diameter, 0.5, 0, diameter};
+
+/// M = 2500 kg/m^3 times the volume of the union of the five spheres.
+double chain_mass() {
+  // Five spheres of radius r, neighbours r apart: each of the four overlaps is a lens of volume
+  // pi (4 r + d)(2 r - d)^2 / 12 with d = r; spheres two places apart just touch.
+  const double r = diameter / 2;
+  return 2500 * (5 * 4.0 / 3 * M_PI - 4 * 5 * M_PI / 12) * r * r * r;
+}
+
+}  // namespace
+
+// Effective mass M/2, so that the closed form of the restitution holds as for two spheres; an
+// effective mass from the spheres would give eta sqrt(5) in its place and e = 0.34.
+TEST(Chains, HeadOnRestitutionFollowsTheMassOfTheBodies) {
+  const double expected = rodpack::restitution_coefficient(0.2);
+  for (const char* order : {"0", "3"}) {
+    const auto run = run_liggghts(chains, {{"order", order}, {"dt", "2.75e-6"}, {"steps", "1000"}});
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const Table bodies = read_dump(run.folder / "bodies.dump");
+    ASSERT_EQ(bodies.rows(), 2u);
+    for (const std::size_t row : {0, 1}) {
+      EXPECT_NEAR(std::fabs(bodies.column("vx")[row]) / 0.5, expected, 3e-3) << order;
+      EXPECT_NEAR(bodies.column("vy")[row], 0, 1e-9);
+      EXPECT_NEAR(bodies.column("mass")[row] / chain_mass(), 1, 1e-10);
+      EXPECT_EQ(bodies.column("nspheres")[row], 5);
+      EXPECT_NEAR(bodies.column("half_length")[row], 4.5e-3, 1e-15);
+      EXPECT_NEAR(bodies.column("area")[row] / rodpack::covered_area(shape), 1, 1e-12);
+    }
+    EXPECT_LT(bodies.column("x")[0] * bodies.column("x")[1], 0);
+  }
+}
+
+// Side by side, 20 um into each other: facing spheres overlap by 20 um, diagonal neighbours are
+// sqrt((d - delta)^2 + d^2/4) > d apart. Five contacts of k delta = 0.02 N, branch ends at the centres
+// of mass; energy 5 k delta^2 / 2.
+TEST(Chains, SideBySideTouchInFiveSpherePairs) {
+  const auto run = run_liggghts(chains, {{"x1", "0"},
+                                         {"y1", "0"},
+                                         {"x2", "0"},
+                                         {"y2", "0.00298"},
+                                         {"u", "0"},
+                                         {"steps", "1"},
+                                         {"every", "1"}});
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const Table contacts = read_dump(run.folder / "contacts.dump");
+  ASSERT_EQ(contacts.rows(), 5u);
+  double total = 0, lever = 0;
+  for (std::size_t c = 0; c < 5; ++c) {
+    const double side = contacts.column("body_i")[c] == 1 ? -1 : 1;
+    EXPECT_EQ(contacts.column("body_i")[c] + contacts.column("body_j")[c], 3);
+    EXPECT_NEAR(contacts.column("overlap_n")[c], 2e-5, 5e-12);  // inserted to 1e-12 m
+    total += side * contacts.column("fy")[c];
+    lever += contacts.column("x")[c] * contacts.column("fy")[c];
+    EXPECT_NEAR(contacts.column("biy")[c], side < 0 ? 0 : 0.00298, 3e-12);
+    EXPECT_NEAR(contacts.column("bjy")[c], side < 0 ? 0.00298 : 0, 3e-12);
+    EXPECT_NEAR(contacts.column("bix")[c], 0, 3e-12);
+  }
+  EXPECT_NEAR(total, 5 * 0.02, 1e-7);
+  EXPECT_NEAR(lever, 0, 1e-10);
+
+  const Table spheres = read_dump(run.folder / "spheres.dump");
+  ASSERT_EQ(spheres.rows(), 10u);
+  double sum = 0;
+  for (const double magnitude : spheres.column("fsum")) sum += magnitude;
+  EXPECT_NEAR(sum, 2 * 5 * 0.02, 1e-7);
+}
+
+// At rest on the floor each chain's weight is on its five spheres, in equal parts by symmetry of the
+// flat chain; k here is that of the type pair, 1000 N/m, so the overlap is M g / 5 k.
+TEST(Chains, RestOnTheFloorCarriesTheWeight) {
+  for (const char* order : {"0", "3"}) {
+    const auto run = run_liggghts(chains, {{"order", order},
+                                           {"g", "9.81"},
+                                           {"x1", "-0.015"},
+                                           {"x2", "0.015"},
+                                           {"y1", "-0.0084"},
+                                           {"y2", "-0.0084"},
+                                           {"u", "0"},
+                                           {"steps", "30000"},
+                                           {"every", "30000"}});
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const double weight = chain_mass() * 9.81;
+    const Table contacts = read_dump(run.folder / "contacts.dump");
+    ASSERT_EQ(contacts.rows(), 10u) << order;
+    double carried = 0;
+    for (std::size_t c = 0; c < contacts.rows(); ++c) {
+      EXPECT_EQ(contacts.column("wall")[c], 1);
+      EXPECT_NEAR(contacts.column("fy")[c] / (weight / 5), 1, 1e-4) << order;
+      EXPECT_NEAR(contacts.column("overlap_n")[c] / (weight / 5000), 1, 1e-4) << order;
+      carried += contacts.column("fy")[c];
+    }
+    EXPECT_NEAR(carried / (2 * weight), 1, 1e-6) << order;
+  }
+}
