@@ -84,13 +84,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
                          ForceData& j_forces) {
     if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_TANGENTIAL_MODEL;
     double* const history = &sidata.contact_history[offset_];
-    const bool update = sidata.computeflag && sidata.shearupdate;
-    if (update)
-      advance(sidata, history);
-    else if (sidata.computeflag && count(history) != 0.0)
-      // Setup of a run: the neighbour lists are new, so whatever has history is touching; it lives
-      // on even when the time step counter was reset.
-      step(history) = static_cast<double>(this->update->ntimestep);
+    const bool update =
+        sidata.computeflag && (sidata.shearupdate || missed_update_at_setup(history));
+    if (update) advance(sidata, history);
 
     const double velocity[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
     double spring[3] = {history[0], history[1], history[2]};
@@ -139,6 +135,17 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       order = *found;
     }
     return order;
+  }
+
+  /// Whether a contact still needs the update of this step when a run is set up. It does after
+  /// `restart N`, which saves the contacts of pairs as they were before the forces of its step.
+  bool missed_update_at_setup(double* history) const {
+    const double now = static_cast<double>(update->ntimestep);
+    if (count(history) == 0.0 || step(history) == now - 1.0) return true;
+    // The neighbour lists are new, so whatever has history is touching: it lives on even where the
+    // time step was reset.
+    step(history) = now;
+    return false;
   }
 
   /// Brings the spring from the last step to this one and stores this step's velocity.
