@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The deck inputs/deposition/in.deposition on a small scale.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "liggghts_run.h"
+
+using namespace rodpack::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Vars = std::map<std::string, std::string>;
+
+const std::string deck = "deposition/in.deposition";
+constexpr double gravity = 9.81;
+
+/// 24 particles in a narrow container: a few seconds.
+Vars small(const Vars& changes = {}) {
+  Vars vars = {{"particles", "24"},          {"width_in_lengths", "5"}, {"particles_per_line", "4"},
+               {"container_height", "0.12"}, {"out", "run"},            {"relaxation_ratio", "1e-4"}};
+  for (const auto& [name, value] : changes) vars[name] = value;
+  return vars;
+}
+
+/// File run/dumps/KIND.N.dump with the largest N.
+fs::path last_dump(const fs::path& run, const std::string& kind) {
+  fs::path last;
+  long largest = -1;
+  for (const auto& entry : fs::directory_iterator(run / "dumps")) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(kind + ".", 0) != 0) continue;
+    const long step = std::stol(name.substr(kind.size() + 1));
+    if (step <= largest) continue;
+    largest = step;
+    last = entry.path();
+  }
+  return last;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A settled bed: all particles inside the container, planar, and carried by floor and walls.
+void expect_settled(const fs::path& run, std::size_t particles, double width) {
+  const Table bodies = read_dump(last_dump(run, "bodies"));
+  ASSERT_EQ(bodies.rows(), particles);
+  double weight = 0;
+  for (std::size_t b = 0; b < particles; ++b) {
+    weight += bodies.column("mass")[b] * gravity;
+    EXPECT_GT(bodies.column("x")[b], 0);
+    EXPECT_LT(bodies.column("x")[b], width);
+    EXPECT_GT(bodies.column("y")[b], 0);
+    for (const char* zero : {"z", "vz", "omegax", "omegay", "qx", "qy"})
+      EXPECT_EQ(bodies.column(zero)[b], 0) << zero;
+  }
+  // At rest the walls' vertical forces add up to the weight and their horizontal ones to nothing;
+  // what is left is the residual acceleration, of order sqrt(E_k/E_p) = 1e-2.
+  const Table contacts = read_dump(last_dump(run, "contacts"));
+  double vertical = 0, horizontal = 0;
+  for (std::size_t c = 0; c < contacts.rows(); ++c) {
+    if (contacts.column("wall")[c] == 0) continue;
+    vertical += contacts.column("fy")[c];
+    horizontal += contacts.column("fx")[c];
+  }
+  EXPECT_NEAR(vertical / weight, 1, 0.02);
+  EXPECT_NEAR(horizontal / weight, 0, 0.02);
+
+  // The contact forces on the spheres of all bodies carry the same weight.
+  const Table spheres = read_dump(last_dump(run, "spheres"));
+  double on_spheres = 0;
+  for (const double fy : spheres.column("fy")) on_spheres += fy;
+  EXPECT_NEAR(on_spheres / vertical, 1, 1e-9);
+}
+
+}  // namespace
+
+TEST(Deposition, SettlesToABedThatTheWallsCarry) {
+  const auto run = run_liggghts(deck, small());
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  expect_settled(run.folder / "run", 24, 5 * 5 * 3e-3);
+
+  const Table energies = read_table(run.folder / "run/energies.csv");
+  EXPECT_LE(energies.column("kinetic_over_elastic").back(), 1e-4);
+  EXPECT_EQ(energies.column("particles").back(), 24);
+  const std::string result = text_of(run.folder / "run/result.json");
+  EXPECT_NE(result.find("\"crossed_pairs\": 0"), std::string::npos) << result;
+  const std::string parameters = text_of(run.folder / "run/parameters.json");
+  EXPECT_NE(parameters.find("\"aspect_ratio\": 5"), std::string::npos) << parameters;
+  EXPECT_NE(parameters.find("\"timestep_s\": 1.1e-05"), std::string::npos) << parameters;
+}
+
+TEST(Deposition, SettlesSpheresCoarseAndCurvedParticlesAndWithTheBuiltInIntegrator) {
+  for (const Vars& kind :
+       {Vars{{"aspect_ratio", "1"}, {"width_in_lengths", "12"}},
+        Vars{{"aspect_ratio", "3"}, {"surface", "coarse"}},
+        Vars{{"aspect_ratio", "5"}, {"curvature", "120"}}, Vars{{"integrator", "builtin"}}}) {
+    const auto run = run_liggghts(deck, small(kind));
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const double lengths = kind.count("width_in_lengths") ? 12 : 5;
+    const double ratio = kind.count("aspect_ratio") ? std::stod(kind.at("aspect_ratio")) : 5;
+    expect_settled(run.folder / "run", 24, lengths * ratio * 3e-3);
+  }
+}
+
+TEST(Deposition, RunsOnTwoRanks) {
+  const auto run = run_liggghts(deck, small(), 2);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  expect_settled(run.folder / "run", 24, 5 * 5 * 3e-3);
+}
+
+TEST(Deposition, SeedsGiveOtherPackingsAndTheSameSeedTheSameOne) {
+  const auto y = [](const Vars& vars) {
+    const auto run = run_liggghts(deck, small(vars));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return read_dump(last_dump(run.folder / "run", "bodies")).column("y");
+  };
+  const auto first = y({});
+  EXPECT_EQ(first, y({}));
+  EXPECT_NE(first, y({{"seed", "2"}}));
+}
+
+// The resumed run starts from a restart file in the middle of the landing and ends bit for bit where
+// the uninterrupted one does.
+TEST(Deposition, ResumesExactly) {
+  const auto whole = run_liggghts(deck, small({{"restart_interval", "0.1"}}));
+  ASSERT_EQ(whole.exit_code, 0) << whole.output;
+  const fs::path run = whole.folder / "run";
+  const std::string last_bodies = text_of(last_dump(run, "bodies"));
+  const std::string result = text_of(run / "result.json");
+  const long every = std::lround(std::ceil(0.1 / 1.1e-5));
+  const fs::path restart = run / ("restart/deposition." + std::to_string(3 * every) + ".restart");
+  ASSERT_TRUE(fs::exists(restart));
+  ASSERT_GT(std::stod(result.substr(result.find("time_s\": ") + 9)), 0.35);
+
+  fs::remove(run / "result.json");
+  const auto resumed = run_liggghts_in(
+      whole.folder, deck, small({{"restart_interval", "0.1"}, {"resume", restart.string()}}));
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
+  EXPECT_EQ(text_of(run / "result.json"), result);
+  EXPECT_EQ(text_of(last_dump(run, "bodies")), last_bodies);
+}
+
+TEST(Deposition, NeverOverwritesARun) {
+  const auto first = run_liggghts(deck, small({{"particles", "4"}}));
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  const std::string energies = text_of(first.folder / "run/energies.csv");
+  const auto second = run_liggghts_in(first.folder, deck, small({{"particles", "8"}}));
+  EXPECT_NE(second.exit_code, 0);
+  EXPECT_NE(second.output.find("run/parameters.json' exists already"), std::string::npos)
+      << second.output;
+  EXPECT_EQ(text_of(first.folder / "run/energies.csv"), energies);
+}
+
+TEST(Deposition, SaysWhenTheBedDidNotComeToRest) {
+  const auto run = run_liggghts(deck, small({{"relaxation_limit", "0.001"}}));
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("ERROR: kinetic over elastic energy is"), std::string::npos)
+      << run.output;
+  EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
+}
+
+TEST(Deposition, RefusesWrongParameters) {
+  const std::pair<Vars, std::string> wrong[] = {
+      {{{"aspect_ratio", "0.5"}}, "parameter 'aspect_ratio': expected minimum 1, got 0.5"},
+      {{{"surface", "rough"}}, "parameter 'surface': value 'rough' is none of:"},
+      {{{"curvature", "200"}}, "parameter 'curvature': expected maximum 180, got 200"},
+      {{{"size_spread", "1"}}, "parameter 'size_spread': expected below 1, got 1"},
+      {{{"timestep", "0"}}, "parameter 'timestep': expected above 0, got 0"},
+      {{{"integrator", "ab5"}}, "parameter 'integrator': value 'ab5' is none of:"},
+      {{{"aspectratio", "3"}}, "unknown deck parameter 'aspectratio'"},
+      {{{"particles_per_line", "40"}}, "per_line 40"}};
+  for (const auto& [vars, message] : wrong) {
+    const auto run = run_liggghts(deck, small(vars));
+    EXPECT_NE(run.exit_code, 0) << message;
+    EXPECT_NE(run.output.find(message), std::string::npos) << run.output;
+  }
+}
