@@ -4,16 +4,17 @@
 #
 #   inputs/run.sh PRESET [-var NAME VALUE ...]
 #
-# PRESET    quick (some hundred particles, two minutes), paper, or another one of the deck
+# PRESET    quick (250 particles, two minutes) or paper (9000 particles, hours)
 # -var …    handed to the deck, see inputs/README.md
 # OUT=…     run folder, default results/PRESET;   RANKS=n  MPI ranks, default 1
-# A run folder that is complete is not run again; one of an interrupted run is moved aside.
+# A run that is complete is not run again; one that was interrupted goes on from its last restart file.
 set -eu
 cd "$(dirname "$0")/.."
 
 case "${1:-}" in
-  '' | -*)
-    sed -n '3,/^set/s/^# \{0,1\}//p' inputs/run.sh >&2
+  quick | paper) ;;
+  *)
+    sed -n '3,/^set/{/^set/!s/^# \{0,1\}//p}' inputs/run.sh >&2
     exit 2
     ;;
 esac
@@ -24,19 +25,23 @@ ranks=${RANKS:-1}
 
 docker/build.sh
 
-if [ -e "$out/run.done" ]; then
+if [ -e "$out/result.json" ]; then
   echo "$out is complete: not run again (delete it, or choose another with OUT=…)"
 else
   if [ -e "$out" ] && [ ! -e "$out/parameters.json" ]; then
     echo "inputs/run.sh: $out exists and is not a run folder: choose another with OUT=…" >&2
     exit 1
   fi
-  if [ -e "$out" ]; then
+  # shellcheck disable=SC2012  # names are the deck's own: no blanks
+  last=$(ls -t "$out"/restart/deposition.*.restart 2> /dev/null | head -n 1)
+  if [ -n "$last" ]; then
+    echo "$out was interrupted: going on from $last"
+    set -- "$@" -var resume "$last"
+  elif [ -e "$out" ]; then
     aside=$out.interrupted.$(date +%Y%m%d-%H%M%S)
-    echo "$out is from an interrupted run: moved to $aside"
+    echo "$out was interrupted before its first restart file: moved to $aside"
     mv "$out" "$aside"
   fi
-  mkdir -p "$(dirname "$out")"
   launcher=
   if [ "$ranks" -gt 1 ]; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -45,7 +50,6 @@ else
   # LIGGGHTS prints an error just before it aborts: without line buffering it would be lost.
   $launcher stdbuf -oL build/bin/liggghts -in inputs/deposition/in.deposition \
     -var preset "$preset" -var out "$out" "$@"
-  touch "$out/run.done"
 fi
 
 build/bin/rodpack analyse "$out"
