@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef COMPUTE_CLASS
+// clang-format off
 ComputeStyle(contact/energy,ComputeContactEnergy)
+// clang-format on
 #else
 #ifndef LMP_COMPUTE_CONTACT_ENERGY_H
 #define LMP_COMPUTE_CONTACT_ENERGY_H

@@ -64,7 +64,8 @@ void ComputeContactOverlap::compute_vector() {
   MPI_Allgather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
   for (int rank = 1; rank < comm->nprocs; ++rank) starts[rank] = starts[rank - 1] + sizes[rank - 1];
   std::vector<int> all(starts.back() + sizes.back());
-  MPI_Allgatherv(deep.data(), own, MPI_INT, all.data(), sizes.data(), starts.data(), MPI_INT, world);
+  MPI_Allgatherv(deep.data(), own, MPI_INT, all.data(), sizes.data(), starts.data(), MPI_INT,
+                 world);
   std::set<std::pair<int, int>> pairs;
   for (std::size_t k = 0; k < all.size(); k += 2) pairs.insert({all[k], all[k + 1]});
 

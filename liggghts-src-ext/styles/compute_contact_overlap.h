@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef COMPUTE_CLASS
+// clang-format off
 ComputeStyle(contact/overlap,ComputeContactOverlap)
+// clang-format on
 #else
 #ifndef LMP_COMPUTE_CONTACT_OVERLAP_H
 #define LMP_COMPUTE_CONTACT_OVERLAP_H
@@ -11,8 +13,8 @@ ComputeStyle(contact/overlap,ComputeContactOverlap)
 namespace LAMMPS_NS {
 
 /// Particles that lie too deep in each other. Scalar: number of pairs of particles with an overlap
-/// above the given length in at least one of their contacts; vector (that number, largest overlap of
-/// all contacts in m, number of contacts), walls included in the last two.
+/// above the given length in at least one of their contacts; vector (that number, largest overlap
+/// of all contacts in m, number of contacts), walls included in the last two.
 class ComputeContactOverlap : public Compute {
  public:
   ComputeContactOverlap(class LAMMPS* lmp, int& iarg, int narg, char** arg);

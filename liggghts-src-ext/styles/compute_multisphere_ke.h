@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef COMPUTE_CLASS
+// clang-format off
 ComputeStyle(multisphere/ke,ComputeMultisphereKe)
+// clang-format on
 #else
 #ifndef LMP_COMPUTE_MULTISPHERE_KE_H
 #define LMP_COMPUTE_MULTISPHERE_KE_H

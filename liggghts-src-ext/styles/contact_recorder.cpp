@@ -75,12 +75,13 @@ const std::vector<ContactRecord>& ContactRecorder::collect(const std::string& ca
   check_models(caller);
   records_.clear();
   PairGran* pair = static_cast<PairGran*>(force->pair_match("gran", 0));
-  // The list covers all atoms of this rank, unless none was built yet or atoms came or went since.
-  const int stale = !pair->list || pair->list->inum != atom->nlocal;
+  // The list is good from the evaluation of the forces on until atoms move to other places in
+  // memory, which takes the flag back: before the first run, after write_restart.
+  const int stale = !pair->list || pair->list->inum != atom->nlocal || !pair->computeflag();
   int any_stale = 0;
   MPI_Allreduce(&stale, &any_stale, 1, MPI_INT, MPI_MAX, world);
   if (any_stale)
-    error->all(FLERR, (caller + ": contacts are not known yet, put a 'run 0' before").c_str());
+    error->all(FLERR, (caller + ": contacts are not known here, put a 'run 0' before").c_str());
 
   armed_ = this;
   PairAccess::evaluate(pair);
@@ -91,7 +92,8 @@ const std::vector<ContactRecord>& ContactRecorder::collect(const std::string& ca
 }
 
 void ContactRecorder::evaluate_wall(FixWallGran* wall) {
-  // With 'store_force yes' an evaluation that applies no forces would overwrite the stored ones by 0.
+  // With 'store_force yes' an evaluation that applies no forces would overwrite the stored ones by
+  // 0.
   std::vector<double> stored;
   double** stored_array = wall->store_force() ? wall->fix_wallforce()->array_atom : NULL;
   if (stored_array && atom->nlocal)
@@ -117,8 +119,7 @@ void ContactRecorder::add_contact(const LIGGGHTS::ContactModels::SurfacesInterse
   record.i = sidata.i;
   record.j = sidata.is_wall ? -1 : sidata.j;
   record.primary = is_primary(record.i, record.j);
-  for (int d = 0; d < 3; ++d)
-    record.point[d] = atom->x[sidata.i][d] - sidata.cri * sidata.en[d];
+  for (int d = 0; d < 3; ++d) record.point[d] = atom->x[sidata.i][d] - sidata.cri * sidata.en[d];
   vectorCopy3D(i_forces.delta_F, record.force);
   record.overlap = sidata.deltan;
   record.spring = 0.0;

@@ -23,8 +23,8 @@ struct ContactRecord {
 
 /// Lists the contacts of this step. `collect` evaluates the contact forces of the pair style and of
 /// all wall/gran fixes once more, at the present positions and velocities, without touching forces,
-/// contact histories or stored wall forces; the spring_dashpot models report to the recorder that is
-/// armed meanwhile.
+/// contact histories or stored wall forces; the spring_dashpot models report to the recorder that
+/// is armed meanwhile.
 class ContactRecorder : protected Pointers {
  public:
   explicit ContactRecorder(class LAMMPS* lmp) : Pointers(lmp) {}

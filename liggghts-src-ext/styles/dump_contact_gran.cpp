@@ -11,12 +11,24 @@ namespace LAMMPS_NS {
 DumpContactGran::DumpContactGran(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg), recorder_(lmp) {
   if (igroup != 0) stop("lists all contacts: the group has to be 'all'");
-  set_columns("ENTRIES", {{"body_i", true},    {"body_j", true},     {"sphere_i", true},
-                          {"sphere_j", true},  {"wall", true},       {"x", false},
-                          {"y", false},        {"z", false},         {"fx", false},
-                          {"fy", false},       {"fz", false},        {"bix", false},
-                          {"biy", false},      {"biz", false},       {"bjx", false},
-                          {"bjy", false},      {"bjz", false},       {"overlap_n", false},
+  set_columns("ENTRIES", {{"body_i", true},
+                          {"body_j", true},
+                          {"sphere_i", true},
+                          {"sphere_j", true},
+                          {"wall", true},
+                          {"x", false},
+                          {"y", false},
+                          {"z", false},
+                          {"fx", false},
+                          {"fy", false},
+                          {"fz", false},
+                          {"bix", false},
+                          {"biy", false},
+                          {"biz", false},
+                          {"bjx", false},
+                          {"bjy", false},
+                          {"bjz", false},
+                          {"overlap_n", false},
                           {"overlap_t", false}});
 }
 

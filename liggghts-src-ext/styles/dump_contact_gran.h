@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef DUMP_CLASS
+// clang-format off
 DumpStyle(contact/gran,DumpContactGran)
+// clang-format on
 #else
 #ifndef LMP_DUMP_CONTACT_GRAN_H
 #define LMP_DUMP_CONTACT_GRAN_H

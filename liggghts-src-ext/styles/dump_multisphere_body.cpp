@@ -60,8 +60,8 @@ std::vector<DumpMultisphereBody::Chain> DumpMultisphereBody::list_chains(
   }
   if (all_known) return chains;
 
-  // Bodies of another template: the straight chain that encloses their spheres. The rank that owns a
-  // body has all of its spheres, owned or as ghosts.
+  // Bodies of another template: the straight chain that encloses their spheres. The rank that owns
+  // a body has all of its spheres, owned or as ghosts.
   for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
     const int body = particles.body_of(i);
     const int k = body >= 0 ? data.map(body) : -1;
@@ -101,9 +101,24 @@ void DumpMultisphereBody::list_rows() {
       const double row[] = {static_cast<double>(data.tag(k)),
                             static_cast<double>(data.atomtype(k)),
                             static_cast<double>(data.nrigid(k)),
-                            x[0], x[1], x[2], planar_angle(axis[k]), v[0], v[1], v[2],
-                            omega[0], omega[1], omega[2], q[0], q[1], q[2], q[3],
-                            chain.half_length, chain.radius, chain.curvature, chain.area,
+                            x[0],
+                            x[1],
+                            x[2],
+                            planar_angle(axis[k]),
+                            v[0],
+                            v[1],
+                            v[2],
+                            omega[0],
+                            omega[1],
+                            omega[2],
+                            q[0],
+                            q[1],
+                            q[2],
+                            q[3],
+                            chain.half_length,
+                            chain.radius,
+                            chain.curvature,
+                            chain.area,
                             data.mass(k)};
       rows_.insert(rows_.end(), row, row + 22);
     }
@@ -120,9 +135,26 @@ void DumpMultisphereBody::list_rows() {
     ids_.push_back(particles.id_of(i));
     const double row[] = {static_cast<double>(particles.id_of(i)),
                           static_cast<double>(atom->type[i]),
-                          1.0, x[0], x[1], x[2], 0.0, v[0], v[1], v[2],
-                          omega[0], omega[1], omega[2], 1.0, 0.0, 0.0, 0.0,
-                          r, r, 0.0, MY_PI * r * r, atom->rmass[i]};
+                          1.0,
+                          x[0],
+                          x[1],
+                          x[2],
+                          0.0,
+                          v[0],
+                          v[1],
+                          v[2],
+                          omega[0],
+                          omega[1],
+                          omega[2],
+                          1.0,
+                          0.0,
+                          0.0,
+                          0.0,
+                          r,
+                          r,
+                          0.0,
+                          MY_PI * r * r,
+                          atom->rmass[i]};
     rows_.insert(rows_.end(), row, row + 22);
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef DUMP_CLASS
+// clang-format off
 DumpStyle(multisphere/sphere,DumpMultisphereSphere)
+// clang-format on
 #else
 #ifndef LMP_DUMP_MULTISPHERE_SPHERE_H
 #define LMP_DUMP_MULTISPHERE_SPHERE_H

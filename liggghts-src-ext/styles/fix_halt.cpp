@@ -55,8 +55,8 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
   scalar_flag = 1;
   global_freq = 1;
   extscalar = 0;
-  // Computes that keep a list of steps need to be asked for in advance; which ones the variable uses
-  // is not known yet.
+  // Computes that keep a list of steps need to be asked for in advance; which ones the variable
+  // uses is not known yet.
   modify->addstep_compute_all((update->ntimestep / nevery) * nevery + nevery);
 }
 
@@ -75,12 +75,18 @@ void FixHalt::parse_operator(const char* text) {
 
 bool FixHalt::holds(double left) const {
   switch (operator_) {
-    case LESS: return left < value_;
-    case LESS_EQUAL: return left <= value_;
-    case GREATER: return left > value_;
-    case GREATER_EQUAL: return left >= value_;
-    case EQUAL: return left == value_;
-    default: return left != value_;
+    case LESS:
+      return left < value_;
+    case LESS_EQUAL:
+      return left <= value_;
+    case GREATER:
+      return left > value_;
+    case GREATER_EQUAL:
+      return left >= value_;
+    case EQUAL:
+      return left == value_;
+    default:
+      return left != value_;
   }
 }
 
@@ -88,8 +94,7 @@ int FixHalt::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN; }
 
 void FixHalt::init() {
   index_ = input->variable->find(const_cast<char*>(variable_.c_str()));
-  if (index_ < 0)
-    error->fix_error(FLERR, this, ("there is no variable " + variable_).c_str());
+  if (index_ < 0) error->fix_error(FLERR, this, ("there is no variable " + variable_).c_str());
   if (!input->variable->equalstyle(index_))
     error->fix_error(FLERR, this, ("variable " + variable_ + " is not of style equal").c_str());
 }
@@ -108,8 +113,9 @@ void FixHalt::end_of_step() {
   halted_ = true;
   if (message_ && comm->me == 0) {
     char text[512];
-    std::snprintf(text, sizeof(text), "fix halt %s: variable %s = %g %s %g at step " BIGINT_FORMAT "\n",
-                  id, variable_.c_str(), left, operator_text_.c_str(), value_, update->ntimestep);
+    std::snprintf(text, sizeof(text),
+                  "fix halt %s: variable %s = %g %s %g at step " BIGINT_FORMAT "\n", id,
+                  variable_.c_str(), left, operator_text_.c_str(), value_, update->ntimestep);
     if (screen) std::fputs(text, screen);
     if (logfile) std::fputs(text, logfile);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef FIX_CLASS
+// clang-format off
 FixStyle(halt,FixHalt)
+// clang-format on
 #else
 #ifndef LMP_FIX_HALT_H
 #define LMP_FIX_HALT_H
@@ -10,8 +12,8 @@ FixStyle(halt,FixHalt)
 
 namespace LAMMPS_NS {
 
-/// Ends a run when an equal-style variable meets a condition; the input script goes on. Scalar: 1 if
-/// the last run was ended by this fix, else 0.
+/// Ends a run when an equal-style variable meets a condition; the input script goes on. Scalar: 1
+/// if the last run was ended by this fix, else 0.
 class FixHalt : public Fix {
  public:
   FixHalt(class LAMMPS* lmp, int narg, char** arg);

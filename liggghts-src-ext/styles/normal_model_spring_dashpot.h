@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef NORMAL_MODEL
+// clang-format off
 NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
+// clang-format on
 #else
 #ifndef NORMAL_MODEL_SPRING_DASHPOT_H_
 #define NORMAL_MODEL_SPRING_DASHPOT_H_
@@ -70,8 +72,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     check_type_pairs(error, ntypes, kn_, "kn", true, no_limit, "a stiffness > 0 (N/m)");
     check_type_pairs(error, ntypes, kt_, "kt", true, no_limit, "a stiffness > 0 (N/m)");
     check_type_pairs(error, ntypes, eta_n_, "dampingRatioNormal", false, 1.0, "0 <= ratio < 1");
-    check_type_pairs(error, ntypes, eta_t_, "dampingRatioTangential", false, 1.0,
-                     "0 <= ratio < 1");
+    check_type_pairs(error, ntypes, eta_t_, "dampingRatioTangential", false, 1.0, "0 <= ratio < 1");
     if (force->cg_active()) error->cg(FLERR, caller);
   }
 
@@ -86,8 +87,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     sidata.kt = kt_[itype][jtype];
     sidata.gamman = rodpack::damping_coefficient(eta_n_[itype][jtype], sidata.meff, sidata.kn);
     sidata.gammat = rodpack::damping_coefficient(eta_t_[itype][jtype], sidata.meff, sidata.kt);
-    sidata.Fn =
-        rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn).total;
+    sidata.Fn = rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn).total;
 
     const double force_magnitude = sidata.is_wall ? sidata.Fn * sidata.area_ratio : sidata.Fn;
     for (int d = 0; d < 3; ++d) {

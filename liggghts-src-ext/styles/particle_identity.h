@@ -8,14 +8,17 @@
 
 namespace LAMMPS_NS {
 
-/// Particles are the bodies of fix multisphere (or multisphere/ab) and the plain spheres that belong
-/// to none. Ids: a body has its own; a plain sphere has its atom id, shifted by the largest body id.
+/// Particles are the bodies of fix multisphere (or multisphere/ab) and the plain spheres that
+/// belong to none. Ids: a body has its own; a plain sphere has its atom id, shifted by the largest
+/// body id.
 class ParticleIdentity : protected Pointers {
  public:
   explicit ParticleIdentity(class LAMMPS* lmp);
 
   /// The fix that owns the bodies, null if there is none.
-  class FixMultisphere* bodies() const { return bodies_; }
+  class FixMultisphere* bodies() const {
+    return bodies_;
+  }
 
   /// Body id of an owned or ghost sphere, -1 for a plain one.
   int body_of(int atom_index) const;

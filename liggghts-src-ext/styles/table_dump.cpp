@@ -48,15 +48,15 @@ void TableDump::openfile() {
   const std::size_t star = name.find('*');
   if (star != std::string::npos) {
     char step[64];
-    std::snprintf(step, sizeof(step), "%0*lld", padflag,
-                  static_cast<long long>(update->ntimestep));
+    std::snprintf(step, sizeof(step), "%0*lld", padflag, static_cast<long long>(update->ntimestep));
     name.replace(star, 1, step);
   }
   fp = NULL;
   if (!filewriter) return;
   if (compressed) {
     if (name.find('\'') != std::string::npos) stop("file name " + name + " contains a quote");
-    fp = popen((std::string("gzip -6 ") + (append_flag ? ">> '" : "> '") + name + "'").c_str(), "w");
+    fp =
+        popen((std::string("gzip -6 ") + (append_flag ? ">> '" : "> '") + name + "'").c_str(), "w");
   } else {
     fp = fopen(name.c_str(), append_flag ? "a" : "w");
   }

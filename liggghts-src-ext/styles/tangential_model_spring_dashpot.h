@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #ifdef TANGENTIAL_MODEL
+// clang-format off
 TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
+// clang-format on
 #else
 #ifndef TANGENTIAL_MODEL_SPRING_DASHPOT_H_
 #define TANGENTIAL_MODEL_SPRING_DASHPOT_H_
@@ -23,10 +25,10 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 namespace LIGGGHTS {
 namespace ContactModels {
 
-// Spring and dashpot in the plane of contact, capped at mu times the elastic normal force (Lu et al.,
-// Granular Matter 18:34, 2016, section 2; the formula is rodpack::tangential_force). The spring is
-// the integral of the tangential velocity over the life of the contact, by the multistep formula of
-// the integrator that runs.
+// Spring and dashpot in the plane of contact, capped at mu times the elastic normal force (Lu et
+// al., Granular Matter 18:34, 2016, section 2; the formula is rodpack::tangential_force). The
+// spring is the integral of the tangential velocity over the life of the contact, by the multistep
+// formula of the integrator that runs.
 //
 // History of a contact: spring (3), the last N tangential velocities, newest first (3 N), number of
 // velocities known (negative while sliding), step of the last update. Vectors change sign when the
@@ -155,8 +157,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     const double velocity[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
     double* const newest = history + 3;
 
-    // LIGGGHTS tells a model of a separation only if the spheres are still close then. A contact that
-    // was not updated in the last step is a new one, whatever is in its history.
+    // LIGGGHTS tells a model of a separation only if the spheres are still close then. A contact
+    // that was not updated in the last step is a new one, whatever is in its history.
     const bool alive = count(history) != 0.0 && step(history) == now - 1.0;
     step(history) = now;
     if (!alive) {

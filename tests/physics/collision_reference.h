@@ -8,9 +8,9 @@
 
 namespace rodpack::test {
 
-// Two equal spheres of inputs/verification/collision, integrated on their own: Runge-Kutta of fourth
-// order with steps of at most 30 ns and 1/100000 of a contact, started exactly at first touch. It shares no code with
-// the program. SI units.
+// Two equal spheres of inputs/verification/collision, integrated on their own: Runge-Kutta of
+// fourth order with steps of at most 30 ns and 1/100000 of a contact, started exactly at first
+// touch. It shares no code with the program. SI units.
 struct CollisionReference {
   double kn = 1000, kt = 500, eta_n = 0.2, eta_t = 0.2, mu = 0.3;
   double speed = 0.5, offset = 0, spin = 0, gap = 1e-4;

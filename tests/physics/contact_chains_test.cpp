@@ -51,8 +51,8 @@ TEST(Chains, HeadOnRestitutionFollowsTheMassOfTheBodies) {
 }
 
 // Side by side, about 20 um into each other: facing spheres overlap by delta = d - distance of the
-// centres of mass, diagonal neighbours are about sqrt((d - delta)^2 + d^2/4) > d apart. Five contacts
-// of k delta each, branch ends at the centres of mass.
+// centres of mass, diagonal neighbours are about sqrt((d - delta)^2 + d^2/4) > d apart. Five
+// contacts of k delta each, branch ends at the centres of mass.
 TEST(Chains, SideBySideTouchInFiveSpherePairs) {
   const auto run = run_liggghts(chains, {{"x1", "0"},
                                          {"y1", "0"},
@@ -92,8 +92,8 @@ TEST(Chains, SideBySideTouchInFiveSpherePairs) {
   EXPECT_NEAR(sum / (2 * total), 1, 1e-12);
 }
 
-// At rest on the floor each chain's weight is on its five spheres, in equal parts by symmetry of the
-// flat chain; k here is that of the type pair, 1000 N/m, so the overlap is M g / 5 k.
+// At rest on the floor each chain's weight is on its five spheres, in equal parts by symmetry of
+// the flat chain; k here is that of the type pair, 1000 N/m, so the overlap is M g / 5 k.
 TEST(Chains, RestOnTheFloorCarriesTheWeight) {
   for (const char* order : {"0", "3"}) {
     const auto run = run_liggghts(chains, {{"order", order},
@@ -118,4 +118,77 @@ TEST(Chains, RestOnTheFloorCarriesTheWeight) {
     }
     EXPECT_NEAR(carried / (2 * weight), 1, 1e-6) << order;
   }
+}
+
+// Caps 1.2 mm off each other's axis: both chains leave with spin. Springs alone conserve
+// E = sum M v^2 / 2 + I omega^2 / 2, but for the integrator, whose loss is of third order in the
+// step.
+TEST(Chains, KineticEnergyReturnsFromAnObliqueCollision) {
+  for (const char* order : {"0", "3"}) {
+    const auto run = run_liggghts(chains, {{"order", order},
+                                           {"dt", "2.75e-6"},
+                                           {"steps", "1000"},
+                                           {"eta", "0"},
+                                           {"mu", "0"},
+                                           {"y1", "-0.0006"},
+                                           {"y2", "0.0006"}});
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const Table energies = read_table(run.folder / "energies.txt");
+    const double at_start = 2 * 0.5 * chain_mass() * 0.25;
+    const double spin = energies.column("kinetic_rotational")[0] / at_start;
+    EXPECT_GT(spin, 0.05) << order;
+    EXPECT_EQ(energies.column("normal")[0], 0) << "still in contact";
+    EXPECT_NEAR(energies.column("kinetic_translational")[0] / at_start + spin, 1, 5e-4) << order;
+  }
+}
+
+// A body of LIGGGHTS's own template, three tangent spheres, and a plain sphere beside it. The
+// body's row is that of the straight chain around it; the sphere's id follows the largest body id.
+TEST(Chains, BodiesOfStockTemplatesAndPlainSpheresAreListed) {
+  const auto run = run_liggghts(R"(
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f p
+newton off
+communicate single vel yes
+units si
+soft_particles yes
+region box block -0.03 0.03 -0.02 0.02 -0.01 0.01 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+fix kn all property/global kn peratomtypepair 1 1000
+fix kt all property/global kt peratomtypepair 1 500
+fix dn all property/global dampingRatioNormal peratomtypepair 1 0.2
+fix dt all property/global dampingRatioTangential peratomtypepair 1 0.2
+fix mu all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model spring_dashpot tangential spring_dashpot
+pair_coeff * *
+timestep 1e-5
+create_atoms 1 single 0.01 0.01 0 units box
+set group all diameter 0.002 density 2500
+fix stock all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 &
+  ntry 100000 spheres -0.003 0 0 0.0015 0 0 0 0.0015 0.003 0 0 0.0015 type 1
+fix chains all particledistribution/discrete 15485867 1 stock 1.0
+region at block -1e-7 1e-7 -1e-7 1e-7 -1e-7 1e-7 units box volume_limit 1e-22
+fix insert all insert/pack seed 32452843 distributiontemplate chains insert_every once &
+  overlapcheck no orientation constant 1 0 0 0 vel constant 0 0 0 particles_in_region 1 region at
+fix integrate all multisphere
+dump bodies all multisphere/body 1 bodies.dump
+run 1
+)");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const Table bodies = read_dump(run.folder / "bodies.dump");
+  ASSERT_EQ(bodies.rows(), 2u);
+  EXPECT_EQ(bodies.column("id")[0], 1);
+  EXPECT_EQ(bodies.column("nspheres")[0], 3);
+  EXPECT_NEAR(bodies.column("half_length")[0], 4.5e-3,
+              2e-5);  // LIGGGHTS samples the centre of mass
+  EXPECT_NEAR(bodies.column("radius")[0], 1.5e-3, 1e-15);
+  EXPECT_EQ(bodies.column("curvature")[0], 0);
+  EXPECT_NEAR(bodies.column("area")[0], M_PI * 2.25e-6 + 4 * 1.5e-3 * 3e-3, 2e-7);
+  EXPECT_EQ(bodies.column("id")[1], 2);
+  EXPECT_EQ(bodies.column("nspheres")[1], 1);
+  EXPECT_EQ(bodies.column("half_length")[1], 1e-3);
+  EXPECT_NEAR(bodies.column("area")[1], M_PI * 1e-6, 1e-18);
 }

@@ -71,8 +71,8 @@ std::vector<Outcome> collide(const CollisionReference& collision, double dt,
     for (const std::size_t k : {i, j})
       kinetic += collision.mass() * (0.5 * (vx[k] * vx[k] + vy[k] * vy[k]) +
                                      0.2 * std::pow(collision.radius * omega[k], 2));
-    pairs.push_back({vx[i] - vx[j], vy[i] - vy[j], omega[i] + omega[j], kinetic, vx[i] + vx[j],
-                     vy[i] + vy[j]});
+    pairs.push_back(
+        {vx[i] - vx[j], vy[i] - vy[j], omega[i] + omega[j], kinetic, vx[i] + vx[j], vy[i] + vy[j]});
   }
   return pairs;
 }
@@ -97,9 +97,8 @@ TEST(Collision, HeadOnRestitutionConvergesToTheClosedForm) {
   const CollisionReference collision;
   for (const char* order : {"0", "3"}) {
     const auto error = [&](double dt) {
-      return rms(collide(collision, dt, order), [&](const Outcome& end) {
-        return -end.u / (2 * collision.speed) / expected - 1;
-      });
+      return rms(collide(collision, dt, order),
+                 [&](const Outcome& end) { return -end.u / (2 * collision.speed) / expected - 1; });
     };
     const double coarse = error(paper_step), fine = error(paper_step / 8);
     std::printf("order %s: restitution error %.2e at the paper's step, %.2e at an eighth\n", order,
@@ -110,12 +109,13 @@ TEST(Collision, HeadOnRestitutionConvergesToTheClosedForm) {
   }
 }
 
-// Springs alone give the energy back, but for the integrator. With h = omega dt, omega = sqrt(k/m_ij):
+// Springs alone give the energy back, but for the integrator. With h = omega dt, omega =
+// sqrt(k/m_ij):
 //
 // Velocity Verlet keeps u^2/2 + omega^2 delta_n delta_{n+1} / 2 within a contact, u the velocity at
-// half a step. Where the first overlap is theta u dt, 0 < theta < 1, that differs from u^2/2 before by
-// -h^2 u^2 theta (1 - theta) / 2, and at the end by the same with the theta there: the energy changes
-// by h^2 (theta_1 (1 - theta_1) - theta_2 (1 - theta_2)), at most h^2/4 in magnitude.
+// half a step. Where the first overlap is theta u dt, 0 < theta < 1, that differs from u^2/2 before
+// by -h^2 u^2 theta (1 - theta) / 2, and at the end by the same with the theta there: the energy
+// changes by h^2 (theta_1 (1 - theta_1) - theta_2 (1 - theta_2)), at most h^2/4 in magnitude.
 //
 // Third-order Adams-Bashforth damps an oscillation by the factor 1 - 3/8 h^4 per step; over pi/h
 // steps the energy changes by -(3/4) pi h^3 (1.3e-3 at the paper's step), plus what the kinks at
@@ -142,7 +142,8 @@ TEST(Collision, KineticEnergyIsRestoredWithoutDampingAndFriction) {
   for (const double change : changes(paper_step / 4, "3")) EXPECT_LT(std::fabs(change), 1e-4);
 }
 
-// Sliding, sticking and a change between them, with spin: against a separate integration of the law.
+// Sliding, sticking and a change between them, with spin: against a separate integration of the
+// law.
 TEST(Collision, ObliqueCollisionFollowsTheReference) {
   struct Case {
     double offset, spin, mu;
@@ -158,26 +159,25 @@ TEST(Collision, ObliqueCollisionFollowsTheReference) {
         return rms(collide(collision, dt, order), [&](const Outcome& end) {
           return std::hypot(end.u - expected[CollisionReference::U],
                             end.v - expected[CollisionReference::V],
-                            collision.radius *
-                                (end.omega - expected[CollisionReference::OMEGA])) /
+                            collision.radius * (end.omega - expected[CollisionReference::OMEGA])) /
                  (2 * collision.speed);
         });
       };
       const double coarse = error(paper_step), fine = error(paper_step / 8);
-      std::printf("order %s, offset %g, spin %g, mu %g: %.2e, %.2e\n", order, c.offset, c.spin, c.mu,
-                  coarse, fine);
+      std::printf("order %s, offset %g, spin %g, mu %g: %.2e, %.2e\n", order, c.offset, c.spin,
+                  c.mu, coarse, fine);
       EXPECT_LT(coarse, 0.02) << order << c.offset;
       EXPECT_LT(fine, 3e-3) << order << c.offset;
     }
   }
 }
 
-// The spring is the integral of the tangential velocity from first touch on, turned with the contact,
-// and converges with the order of Adams-Bashforth. Springs of 1e-6 N/m do not bend the lines of
-// flight, so that nothing but this integral is tested: the spheres pass through each other, with spin.
-// (Stiff springs would add the error that the kink of the forces at touch leaves in the motion, of
-// second order.) Velocity Verlet pairs the velocity of half a step with the plane of contact of the
-// whole one, which is of first order.
+// The spring is the integral of the tangential velocity from first touch on, turned with the
+// contact, and converges with the order of Adams-Bashforth. Springs of 1e-6 N/m do not bend the
+// lines of flight, so that nothing but this integral is tested: the spheres pass through each
+// other, with spin. (Stiff springs would add the error that the kink of the forces at touch leaves
+// in the motion, of second order.) Velocity Verlet pairs the velocity of half a step with the plane
+// of contact of the whole one, which is of first order.
 TEST(Collision, SpringConvergesWithTheOrderOfTheIntegrator) {
   struct Method {
     const char* order;  // of Adams-Bashforth, 0: velocity Verlet

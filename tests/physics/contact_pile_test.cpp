@@ -78,18 +78,18 @@ void expect_same_spheres(const Table& a, const Table& b, double tolerance) {
 
 }  // namespace
 
-// Under Adams-Bashforth the forces of a step belong to the positions and velocities of its end, so a
-// second evaluation gives the same ones, dashpots and sliding contacts included.
+// Under Adams-Bashforth the forces of a step belong to the positions and velocities of its end, so
+// a second evaluation gives the same ones, dashpots and sliding contacts included.
 TEST(Pile, ContactForcesAddUpToThoseOnTheSpheres) {
-  const auto run = run_liggghts(
-      pile, {{"order", "3"}, {"ratio", "0"}, {"steps", "8000"}, {"every", "500"}});
+  const auto run =
+      run_liggghts(pile, {{"order", "3"}, {"ratio", "0"}, {"steps", "8000"}, {"every", "500"}});
   ASSERT_EQ(run.exit_code, 0) << run.output;
   for (const int frame : {8, 10, 12, 14, 16}) expect_forces_agree(run.folder, frame);
 }
 
 TEST(Pile, ContactForcesAddUpOnTwoRanks) {
-  const auto run = run_liggghts(
-      pile, {{"order", "3"}, {"ratio", "0"}, {"steps", "8000"}, {"every", "500"}}, 2);
+  const auto run =
+      run_liggghts(pile, {{"order", "3"}, {"ratio", "0"}, {"steps", "8000"}, {"every", "500"}}, 2);
   ASSERT_EQ(run.exit_code, 0) << run.output;
   for (const int frame : {8, 10, 12, 14, 16}) expect_forces_agree(run.folder, frame);
 }
@@ -97,8 +97,7 @@ TEST(Pile, ContactForcesAddUpOnTwoRanks) {
 // Sums in another order differ in the last bits, and a pile of colliding spheres magnifies that.
 TEST(Pile, OneAndTwoRanksAgree) {
   for (const char* order : {"0", "3"}) {
-    const Vars vars = {
-        {"order", order}, {"ratio", "0"}, {"steps", "3000"}, {"every", "1000"}};
+    const Vars vars = {{"order", order}, {"ratio", "0"}, {"steps", "3000"}, {"every", "1000"}};
     const auto one = run_liggghts(pile, vars, 1);
     const auto two = run_liggghts(pile, vars, 2);
     ASSERT_EQ(one.exit_code, 0) << one.output;
@@ -110,10 +109,10 @@ TEST(Pile, OneAndTwoRanksAgree) {
   }
 }
 
-// The springs, the velocities of the multistep formula and the sliding state of every contact are in
-// the restart file. (Velocity Verlet cannot be continued exactly: LIGGGHTS starts it with forces at
-// the velocity of a full step.)
-TEST(Pile, RestartContinuesTheRun) {
+// The springs, the velocities of the multistep formula and the sliding state of every contact are
+// in the restart file. (Velocity Verlet cannot be continued exactly: LIGGGHTS starts it with forces
+// at the velocity of a full step.)
+TEST(Pile, RestartContinuesTheRunOnOneAndTwoRanks) {
   const Vars vars = {{"order", "3"}, {"ratio", "0"}, {"every", "500"}};
   Vars whole = vars;
   whole["steps"] = "5000";
@@ -144,21 +143,23 @@ TEST(Pile, RestartContinuesTheRun) {
   }
 }
 
-// The run ends at the first check at which E_k <= ratio E_p, the script goes on, thermodynamic output
-// is there for the last step, and the pile stands: its weight is on the floor and in the friction of
-// the side walls. Vertical acceleration of what still moves: v omega with v^2 <= 2 ratio E_p / m.
-TEST(Pile, HaltEndsTheRunAtRestAndTheWallsCarryTheWeight) {
+// The run ends at the first check at which E_k <= ratio E_p, the script goes on, thermodynamic
+// output is there for the last step, and the pile stands: its weight is on the floor and in the
+// friction of the side walls. Vertical acceleration of what still moves: v omega with v^2 <= 2
+// ratio E_p / m.
+TEST(Pile, HaltEndsTheRunAtRestAndTheWallsCarryTheWeightOnAnyRanks) {
   for (const int ranks : {1, 2}) {
-    const auto run = run_liggghts(
-        pile, {{"order", "0"}, {"ratio", "1e-6"}, {"steps", "200000"}}, ranks);
+    const auto run =
+        run_liggghts(pile, {{"order", "0"}, {"ratio", "1e-6"}, {"steps", "200000"}}, ranks);
     ASSERT_EQ(run.exit_code, 0) << run.output;
     EXPECT_NE(run.output.find("halted 1 at step"), std::string::npos) << run.output;
     const Table contacts = read_dump(run.folder / "final.dump");
     EXPECT_LT(contacts.timestep(), 200000);
     EXPECT_EQ(contacts.timestep() % 100, 0);
-    EXPECT_NE(run.output.find("\n" + std::string(8 - std::to_string(contacts.timestep()).size(), ' ') +
-                              std::to_string(contacts.timestep()) + " "),
-              std::string::npos)
+    EXPECT_NE(
+        run.output.find("\n" + std::string(8 - std::to_string(contacts.timestep()).size(), ' ') +
+                        std::to_string(contacts.timestep()) + " "),
+        std::string::npos)
         << "no thermo output of the last step";
     double carried = 0;
     for (std::size_t c = 0; c < contacts.rows(); ++c)

@@ -18,9 +18,8 @@ const double mass = 2500 * M_PI / 6 * std::pow(3e-3, 3);  // of a sphere, kg
 std::string write_floor(const std::filesystem::path& file) {
   std::ofstream stl(file);
   stl << "solid floor\n";
-  for (const char* corners :
-       {"-0.019 0 -0.009\nvertex 0.019 0 0.009\nvertex 0.019 0 -0.009",
-        "-0.019 0 -0.009\nvertex -0.019 0 0.009\nvertex 0.019 0 0.009"})
+  for (const char* corners : {"-0.019 0 -0.009\nvertex 0.019 0 0.009\nvertex 0.019 0 -0.009",
+                              "-0.019 0 -0.009\nvertex -0.019 0 0.009\nvertex 0.019 0 0.009"})
     stl << "facet normal 0 1 0\nouter loop\nvertex " << corners << "\nendloop\nendfacet\n";
   stl << "endsolid floor\n";
   return file.string();
@@ -28,8 +27,8 @@ std::string write_floor(const std::filesystem::path& file) {
 
 }  // namespace
 
-// Five pairs of spheres at rest, 10 um into each other, k = 1000 N/m: force k delta = 1e-2 N, energy
-// k delta^2 / 2 = 5e-8 J each, contact point half-way, branch ends at the centres.
+// Five pairs of spheres at rest, 10 um into each other, k = 1000 N/m: force k delta = 1e-2 N,
+// energy k delta^2 / 2 = 5e-8 J each, contact point half-way, branch ends at the centres.
 TEST(StaticContact, ForceEnergyAndGeometryOfAnOverlap) {
   const auto run = run_liggghts("verification/collision/in.collision",
                                 {{"gap", "-1e-5"}, {"shift", "0"}, {"speed", "0"}, {"steps", "0"}});
@@ -76,11 +75,9 @@ TEST(StaticContact, SlidingSphereEndsRolling) {
   const std::string stl = write_floor(folder / "floor.stl");
   for (const char* mesh : {"0", "1"}) {
     for (const char* order : {"0", "3"}) {
-      const auto run = run_liggghts("verification/sliding_sphere/in.sliding_sphere",
-                                    {{"mesh", mesh},
-                                     {"stl", stl},
-                                     {"order", order},
-                                     {"every", "200"}});
+      const auto run =
+          run_liggghts("verification/sliding_sphere/in.sliding_sphere",
+                       {{"mesh", mesh}, {"stl", stl}, {"order", order}, {"every", "200"}});
       ASSERT_EQ(run.exit_code, 0) << run.output;
       const Table sliding = read_dump(run.folder / "bodies.dump", 1);
       const Table end = read_dump(run.folder / "bodies.dump");
