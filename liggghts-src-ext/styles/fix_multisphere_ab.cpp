@@ -10,6 +10,7 @@
 #include "math_extra.h"
 #include "modify.h"
 #include "rodpack/rigid_motion.h"
+#include "style_arguments.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -33,7 +34,7 @@ Container& property(Multisphere& bodies, const char* name) {
 
 FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
     : FixMultisphere(lmp, narg, arg),
-      options_(lmp, this),
+      options_(lmp),
       mass_(property<ScalarContainer<double> >(multisphere_, "masstotal")),
       xcm_(property<Vectors>(multisphere_, "xcm")),
       vcm_(property<Vectors>(multisphere_, "vcm")),
@@ -64,20 +65,16 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
 
 void FixMultisphereAB::parse(int narg, char** arg) {
   // The base class reads its own keywords only up to the first one of ours, hence all of them here.
-  for (int iarg = 3; iarg < narg;) {
-    if (const int taken = options_.read(iarg, narg, arg)) {
-      iarg += taken;
-    } else if (strcmp(arg[iarg], "allow_group_and_set") == 0) {
-      allow_group_and_set_ = options_.yes_or_no(iarg, narg, arg);
-      iarg += 2;
-    } else if (strcmp(arg[iarg], "allow_heatsource") == 0) {
-      allow_heatsource_ = options_.yes_or_no(iarg, narg, arg);
-      iarg += 2;
-    } else {
-      const std::string text = std::string("unknown keyword '") + arg[iarg] +
-                               "'; expected order, planar, allow_group_and_set or allow_heatsource";
-      ms_error(FLERR, text.c_str());
-    }
+  StyleArguments arguments(lmp, narg, arg);
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "");
+    if (keyword == "allow_group_and_set")
+      allow_group_and_set_ = arguments.yes_or_no(keyword);
+    else if (keyword == "allow_heatsource")
+      allow_heatsource_ = arguments.yes_or_no(keyword);
+    else if (!options_.read(keyword, arguments))
+      arguments.fail("unknown keyword '" + keyword +
+                     "', expected order, planar, allow_group_and_set or allow_heatsource");
   }
 }
 

@@ -7,8 +7,8 @@ FixStyle(multisphere/ab,FixMultisphereAB)
 
 #else
 
-#ifndef LMP_FIX_MULTISPHERE_AB_H
-#define LMP_FIX_MULTISPHERE_AB_H
+#ifndef RODPACK_FIX_MULTISPHERE_AB_H
+#define RODPACK_FIX_MULTISPHERE_AB_H
 
 #include <vector>
 

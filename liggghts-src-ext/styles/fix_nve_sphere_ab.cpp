@@ -15,6 +15,7 @@
 #include "modify.h"
 #include "mpi_liggghts.h"
 #include "rodpack/multistep.h"
+#include "style_arguments.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
@@ -26,20 +27,17 @@ enum { VELOCITY = 0, ACCELERATION = 3, ANGULAR_ACCELERATION = 6, RATES = 9 };
 enum { EVALUATIONS = 0, TIMESTEP, ORDER, STATE_VALUES };
 
 FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), options_(lmp, this), bodies_(NULL), state_(NULL) {
+    : Fix(lmp, narg, arg), options_(lmp), bodies_(NULL), state_(NULL) {
   time_integrate = 1;
-  for (int iarg = 3; iarg < narg;) {
-    const int taken = options_.read(iarg, narg, arg);
-    if (taken == 0) {
-      const std::string text =
-          std::string("unknown keyword '") + arg[iarg] + "'; expected order or planar";
-      error->fix_error(FLERR, this, text.c_str());
-    }
-    iarg += taken;
+  StyleArguments arguments(lmp, narg, arg);
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "");
+    if (!options_.read(keyword, arguments))
+      arguments.fail("unknown keyword '" + keyword + "', expected order or planar");
   }
   order_ = options_.order();
   planar_ = options_.planar();
-  if (!atom->sphere_flag) error->fix_error(FLERR, this, "requires atom style sphere");
+  if (!atom->sphere_flag) arguments.fail("needs atom_style sphere (granular)");
 }
 
 FixPropertyAtom* FixNVESphereAB::add_property(const char* name, int values) {

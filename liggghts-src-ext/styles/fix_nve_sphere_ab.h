@@ -7,8 +7,8 @@ FixStyle(nve/sphere/ab,FixNVESphereAB)
 
 #else
 
-#ifndef LMP_FIX_NVE_SPHERE_AB_H
-#define LMP_FIX_NVE_SPHERE_AB_H
+#ifndef RODPACK_FIX_NVE_SPHERE_AB_H
+#define RODPACK_FIX_NVE_SPHERE_AB_H
 
 #include <vector>
 

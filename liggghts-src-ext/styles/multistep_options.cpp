@@ -1,65 +1,32 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "multistep_options.h"
 
-#include <cstdlib>
-#include <cstring>
-#include <string>
-
 #include "domain.h"
-#include "error.h"
-#include "fix.h"
 #include "modify.h"
 #include "rodpack/multistep.h"
+#include "style_arguments.h"
 
 using namespace LAMMPS_NS;
 
-int MultistepOptions::read(int iarg, int narg, char** arg) {
-  if (strcmp(arg[iarg], "order") == 0) {
-    const char* text = value(iarg, narg, arg);
-    char* end = nullptr;
-    const long order = strtol(text, &end, 10);
-    if (*text == '\0' || *end != '\0' || order < 1 || order > rodpack::max_multistep_order)
-      refuse("order", text, "an integer from 1 to 4");
-    order_ = static_cast<int>(order);
-    return 2;
-  }
-  if (strcmp(arg[iarg], "planar") == 0) {
-    const char* text = value(iarg, narg, arg);
-    if (strcmp(text, "auto") == 0)
-      planar_ = AUTO;
-    else if (strcmp(text, "yes") == 0)
-      planar_ = YES;
-    else if (strcmp(text, "no") == 0)
-      planar_ = NO;
-    else
-      refuse("planar", text, "auto, yes or no");
-    return 2;
-  }
-  return 0;
-}
+static_assert(rodpack::max_multistep_order == 4, "range of orders in messages and documentation");
 
-const char* MultistepOptions::value(int iarg, int narg, char** arg) const {
-  if (iarg + 1 >= narg) {
-    const std::string text = std::string("keyword '") + arg[iarg] + "' needs a value";
-    error->fix_error(FLERR, owner_, text.c_str());
+bool MultistepOptions::read(const std::string& keyword, StyleArguments& arguments) {
+  if (keyword == "order") {
+    order_ = arguments.integer(keyword, "an integer from 1 to 4", [](long order) {
+      return order >= 1 && order <= rodpack::max_multistep_order;
+    });
+  } else if (keyword == "planar") {
+    const std::string expected = "auto, yes or no";
+    planar_ = arguments.word(keyword, expected);
+    if (planar_ != "auto" && planar_ != "yes" && planar_ != "no")
+      arguments.reject(keyword, expected, planar_);
+  } else {
+    return false;
   }
-  return arg[iarg + 1];
-}
-
-bool MultistepOptions::yes_or_no(int iarg, int narg, char** arg) const {
-  const char* text = value(iarg, narg, arg);
-  const bool yes = strcmp(text, "yes") == 0;
-  if (!yes && strcmp(text, "no") != 0) refuse(arg[iarg], text, "yes or no");
-  return yes;
-}
-
-void MultistepOptions::refuse(const char* keyword, const char* value, const char* expected) const {
-  const std::string text =
-      std::string("keyword '") + keyword + "': expected " + expected + ", got '" + value + "'";
-  error->fix_error(FLERR, owner_, text.c_str());
+  return true;
 }
 
 bool MultistepOptions::planar() const {
-  if (planar_ != AUTO) return planar_ == YES;
+  if (planar_ != "auto") return planar_ == "yes";
   return domain->dimension == 2 || modify->n_fixes_style("enforce2d") > 0;
 }
