@@ -260,9 +260,8 @@ void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sph
     data.prop()
         .getElementProperty<ScalarContainer<int>>("id_multisphere")
         ->set(data.n_body() - 1, body);
-    int length, width;
-    int* body_of = static_cast<int*>(multisphere_->extract("body", length, width));
-    for (int i = first; i < atom->nlocal; ++i) body_of[i] = body;
+    // fix multisphere keeps its spheres' bodies there; its extract() would talk to the other ranks
+    for (int i = first; i < atom->nlocal; ++i) atom->molecule[i] = body;
   }
   atom->natoms += static_cast<bigint>(spheres.size());
   if (atom->map_style) {
