@@ -144,6 +144,16 @@ TEST(MultisphereAb, PlanarAndSpatialStepsAgreeInThePlane) {
   EXPECT_NEAR(planar.column("c_x[2]")[0], spatial.column("c_x[2]")[0], 1e-15);
 }
 
+TEST(MultisphereAb, PlanarAutoFollowsEnforce2d) {
+  // the same steps, whether asked for or found out; enforce2d itself may round the orientation
+  const Table asked = last_state("rocking_body", {{"integrator", ab(3, " planar yes")}});
+  const Table found = last_state("rocking_body", {{"integrator", ab(3)}, {"flat", "1"}});
+  for (const std::string& name : asked.names())
+    EXPECT_NEAR(found.column(name)[0], asked.column(name)[0],
+                1e-12 * std::abs(asked.column(name)[0]))
+        << name;
+}
+
 TEST(MultisphereAb, BodyBornMidRunMovesLikeOneBornAtTheStart) {
   // born 300 steps later and 300 steps shorter in flight: same increments, hence the same motion
   const Table early = fly(ab(3), 700, {{"timestep", "1e-4"}});
