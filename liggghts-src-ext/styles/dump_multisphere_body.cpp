@@ -89,6 +89,7 @@ void DumpMultisphereBody::list_rows() {
     Multisphere& data = particles.bodies()->data();
     const std::vector<Chain> chains = list_chains(particles);
     double** const axis = data.extract_double_vector("ex_space");
+    auto& type = *data.prop().getElementProperty<ScalarContainer<int>>("clumptype");
     for (int k = 0; k < data.n_body(); ++k) {
       double x[3], v[3], omega[3], q[4];
       data.xcm(x, k);
@@ -99,7 +100,7 @@ void DumpMultisphereBody::list_rows() {
       const Chain& chain = chains[k];
       ids_.push_back(data.tag(k));
       const double row[] = {static_cast<double>(data.tag(k)),
-                            static_cast<double>(data.atomtype(k)),
+                            static_cast<double>(type(k)),
                             static_cast<double>(data.nrigid(k)),
                             x[0],
                             x[1],
