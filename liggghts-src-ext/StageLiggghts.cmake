@@ -37,6 +37,7 @@ function(find_source)
       execute_process(COMMAND sh ${ext}/fetch-liggghts.sh ${LIGGGHTS_WORK}
                       ERROR_VARIABLE why RESULT_VARIABLE failed)
       if(failed OR NOT EXISTS ${source})
+        string(REGEX REPLACE "\n.*" "" why "${why}")
         stop("cannot fetch ${tarball_name} with apt (${why}): ${how_to_help}")
       endif()
     endif()
@@ -141,6 +142,29 @@ function(write_stock_combinations folder)
   file(WRITE ${folder}/style_contact_model.whitelist "${combinations}")
 endfunction()
 
+# Stock lammps.cpp compiles every contact-model combination, for pairs and for walls, together with
+# all that depends on any style's header: more than a minute whenever one is touched. Here pairs and
+# walls become sources of their own, which depend on the contact models only.
+function(split_granular_styles folder)
+  file(READ ${folder}/granular_styles.h text)
+  foreach(half pair wall)
+    set(other wall)
+    if(half STREQUAL wall)
+      set(other pair)
+    endif()
+    string(REGEX REPLACE "[^\n]*${other}_factory[^\n]*\\\\\n" "" code "${text}")  # within a macro
+    string(REGEX REPLACE "[^\n]*${other}_factory[^\n]*" "" code "${code}")
+    string(REPLACE RegisterGranularStyles register_${half}_styles code "${code}")
+    file(WRITE ${folder}/granular_${half}_styles.cpp "#include \"fix_insert_stream.h\"
+${code}
+namespace LAMMPS_NS { void register_granular_${half}_styles() { register_${half}_styles(); } }\n")
+  endforeach()
+  mend(${folder} lammps.cpp "#include \"granular_styles.h\""
+    "namespace LAMMPS_NS { void register_granular_pair_styles(); void register_granular_wall_styles(); }")
+  mend(${folder} lammps.cpp "regGranStyles = new RegisterGranularStyles();"
+    "regGranStyles = NULL; register_granular_pair_styles(); register_granular_wall_styles();")
+endfunction()
+
 # The staged folder appears under its name when it is complete.
 function(stage_stock_sources)
   file(SHA256 ${CMAKE_CURRENT_FUNCTION_LIST_FILE} recipe)
@@ -163,6 +187,7 @@ function(stage_stock_sources)
   mend(${partial} finish.cpp "lists[m]->numneigh > 0" "lists[m]->numneigh != nullptr")
   # One error in five is followed by a joke, printed from a string that is gone by then: garbage.
   mend(${partial} error_special.h "return msg.c_str()" "return 0")
+  split_granular_styles(${partial})
   write_stock_combinations(${partial})
   # Without the time of the build: an unchanged tree must not compile again.
   file(WRITE ${partial}/version_liggghts.h
@@ -174,10 +199,7 @@ endfunction()
 # Links our headers and contact-model combinations into the staged folder, flat as LIGGGHTS wants
 # them, and lets Make.sh derive the style lists; it leaves a list alone that did not change.
 function(overlay_styles)
-  file(GLOB overlay ${ext}/styles/*.h)
-  if(EXISTS ${ext}/styles/normal_model_spring_dashpot.h)
-    list(APPEND overlay ${ext}/styles/style_contact_model_user.whitelist)
-  endif()
+  file(GLOB overlay ${ext}/styles/*.h ${ext}/styles/*.whitelist)
   set(registrations "")
   foreach(file ${overlay})
     file(STRINGS ${file} lines REGEX "_(CLASS|MODEL)")
