@@ -39,8 +39,7 @@ void add_render(CLI::App& app) {
           "force: magnitude of the net contact force on the sphere; fsum: sum of the "
           "magnitudes of its contact forces; orientation: of the particle's long axis; none")
       ->transform(CLI::CheckedTransformer(colours, CLI::ignore_case))
-      ->type_name("NAME")
-      ->default_str("force");
+      ->option_text("NAME [force]");
   command
       ->add_option("--window", options->window,
                    "part of the box to draw, m [default: the bed between the walls]")

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rodpack/analyse.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <vector>
 
 #include "rodpack/figure.h"
@@ -17,8 +21,31 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// Step at which the run ended, as its result.json says; none while it has not ended.
+std::optional<long> last_step(const fs::path& run) {
+  std::ifstream file(run / "result.json");
+  if (!file) return {};
+  const auto result = Json::parse(file, nullptr, false);
+  if (!result.is_object() || !result.contains("step") || !result["step"].is_number())
+    throw DataError((run / "result.json").string() + ": expected a JSON object with a number 'step'");
+  return result["step"].get<long>();
+}
+
+/// Dumps of one kind in order of time. A run that was resumed may end earlier than the one that was
+/// interrupted had come: dumps after its end are of a course that it did not take.
 std::vector<std::string> dumps_of(const fs::path& run, const std::string& kind) {
-  return find_dumps({(run / "dumps" / (kind + ".*.dump*")).string()});
+  auto files = find_dumps({(run / "dumps" / (kind + ".*.dump*")).string()});
+  if (const auto last = last_step(run)) {
+    const auto later = [&](const std::string& file) {
+      const auto name = fs::path(file).filename().string();
+      return std::strtol(name.c_str() + kind.size() + 1, nullptr, 10) > *last;
+    };
+    files.erase(std::remove_if(files.begin(), files.end(), later), files.end());
+    if (files.empty())
+      throw DataError((run / "dumps").string() + ": no dump of " + kind + " up to step " +
+                      std::to_string(*last) + ", where result.json says the run ended");
+  }
+  return files;
 }
 
 void analyse_orientation(const Packing& packing, const fs::path& out, Json& summary) {

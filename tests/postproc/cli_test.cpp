@@ -248,6 +248,33 @@ TEST(Analyse, RowsThatAResumedRunComputedAgainReplaceTheEarlierOnes) {
   EXPECT_EQ(nlohmann::json::parse(content(out / "summary.json")), summary) << "was overwritten";
 }
 
+// A run resumed from step 1000 that came to rest at step 1500 leaves the dumps of step 2000, which the
+// interrupted run had reached, behind.
+TEST(Analyse, DumpsAfterTheEndOfTheRunDoNotCount) {
+  const auto run_folder = fresh_folder() / "run";
+  small_packing().write_run(run_folder);
+  const auto command = "analyse '" + run_folder.string() + "'";
+  const auto dumps = run_folder / "dumps";
+  put(run_folder / "result.json", "{\"step\": 500}");
+  const auto none = rodpack_command(command);
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.output, HasSubstr("no dump of bodies up to step 500"));
+
+  put(run_folder / "result.json", "{\"step\": 1500}");
+  for (const std::string kind : {"bodies", "spheres", "contacts"}) {
+    auto text = content(dumps / (kind + ".2000.dump"));
+    text.replace(text.find("2000"), 4, "1500");
+    put(dumps / (kind + ".1500.dump"), text);
+  }
+  ASSERT_EQ(rodpack_command(command).exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(content(run_folder / "analysis/summary.json"))["timestep"], 1500);
+
+  put(run_folder / "result.json", "not JSON");
+  const auto bad = rodpack_command(command);
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_THAT(bad.output, HasSubstr("result.json: expected a JSON object with a number 'step'"));
+}
+
 TEST(Analyse, ABedOfSpheresLeavesOrientationOutAndSaysSo) {
   const auto run_folder = fresh_folder() / "run";
   SyntheticPacking packing;
