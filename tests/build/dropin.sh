@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Usage: dropin.sh REPOSITORY STAGED_SRC WORK MPI_COMPILER
+# Usage: dropin.sh REPOSITORY SOURCE WORK MPI_COMPILER
 # What liggghts-src-ext/README.md tells the user of an own LIGGGHTS tree to do, as far as it takes to
-# prove that the styles are registered and compile there.
+# prove that the styles are registered and compile there. SOURCE: the tarball or folder to start from.
 set -eu
 ext=$1/liggghts-src-ext
 tree=$3/src
@@ -15,18 +15,23 @@ fail() {
 
 rm -rf "$3"
 mkdir -p "$tree"
-# The stock files: all but our links and the lists derived with them.
-find "$2" -maxdepth 1 -type f ! -name 'style_*.h' -exec cp -p {} "$tree" \;
+if [ -d "$2" ]; then
+  if [ -d "$2/src" ]; then cp -r "$2/src/." "$tree"; else cp -r "$2/." "$tree"; fi
+else
+  tar -xf "$2" -C "$tree" --strip-components=2 --wildcards '*/src/*'
+fi
 
 # The build's own way with such a tree: it takes it, and leaves it as it was.
-before=$(cat "$tree"/* | cksum)
+before=$(cat "$tree"/*.* | cksum)
 cmake -DLIGGGHTS_SOURCE="$3" -DLIGGGHTS_WORK="$3/staged" -P "$ext/StageLiggghts.cmake"
-[ "$before" = "$(cat "$tree"/* | cksum)" ] || fail "staging wrote into the user's tree"
+[ "$before" = "$(cat "$tree"/*.* | cksum)" ] || fail "staging wrote into the user's tree"
 
 "$ext/install-into.sh" "$tree"
 "$ext/install-into.sh" "$tree"  # again: nothing differs, nothing to refuse
+(cd "$tree" && sh -eu -c "$(sed -n 's/^ *\(sed -i .*\)/\1/p' "$ext/README.md")")
 
-# As `make auto` does.
+# As `make auto` does. The stock list of combinations is taken over: making it takes Make.sh a minute.
+cp "$3/staged/src/style_contact_model.whitelist" "$tree"
 (cd "$tree" && sh Make.sh style && sh Make.sh models > /dev/null)
 for header in "$ext"/styles/*.h; do
   name=$(basename "$header")
@@ -37,6 +42,8 @@ done
 while read -r combination; do
   grep -qF "$combination" "$tree/style_contact_model.h" || fail "not whitelisted: $combination"
 done < "$ext/styles/style_contact_model_user.whitelist"
+cmp "$tree/style_contact_model.h" "$3/staged/src/style_contact_model.h" ||
+  fail "the two ways compile different contact-model combinations"
 
 # modify.cpp sees every fix and compute, ours with what they include from the core.
 cd "$tree"
