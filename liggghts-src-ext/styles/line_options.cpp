@@ -100,6 +100,19 @@ void check_room(const Domain& domain, const StyleArguments& arguments, const Lin
         part.particles->id, width, options.per_line, options.x_low, options.x_high, cell);
     arguments.fail(text);
   }
+  // LIGGGHTS deletes a body, without a word, when one of its spheres is outside a fixed boundary.
+  for (const LineOptions::Part& part : options.parts) {
+    const double reach = part.particles->max_r_bound() - part.particles->min_rad();
+    const int fixed = 1;  // Domain::boundary
+    const bool below = domain.boundary[1][0] == fixed && options.y - reach < domain.boxlo[1];
+    const bool above = domain.boundary[1][1] == fixed && options.y + reach > domain.boxhi[1];
+    if (!below && !above) continue;
+    std::snprintf(text, sizeof text,
+                  "y must leave room for particles of template %s, whose spheres reach %g m from "
+                  "their centre, in the simulation box from %g to %g, got '%g'",
+                  part.particles->id, reach, domain.boxlo[1], domain.boxhi[1], options.y);
+    arguments.fail(text);
+  }
   const double low[3] = {options.x_low, options.y, options.z};
   const double high[3] = {options.x_high, options.y, options.z};
   for (int d = 0; d < 3; ++d) {

@@ -66,6 +66,8 @@ void Parameter::command(int narg, char **arg) {
     check_command_line();
   else if (narg == 2 && words[0] == "write")
     write(words[1]);
+  else if (narg >= 2 && words[0] == "compare" && (narg == 2 || words[2] == "except"))
+    compare(words[1], {words.begin() + std::min(narg, 3), words.end()});
   else if (narg == 1 && words[0] == "clear")
     declared_.clear();
   else
@@ -138,6 +140,13 @@ void Parameter::check_command_line() const {
   }
 }
 
+std::string Parameter::json_entry(const Declaration &d) {
+  const bool number = d.type == "real" || d.type == "integer";
+  const std::string value =
+      number ? json_number(std::strtod(d.value.c_str(), nullptr)) : json_string(d.value);
+  return json_string(d.unit.empty() ? d.name : d.name + "_" + d.unit) + ": " + value;
+}
+
 void Parameter::write(const std::string &file) const {
   enum { written, exists, failed };
   int result = written;
@@ -146,12 +155,7 @@ void Parameter::write(const std::string &file) const {
   } else if (comm->me == 0) {
     std::ofstream out(file);
     out << "{\n  \"format\": \"rodpack-run 1\"";
-    for (const auto &d : declared_) {
-      const bool number = d.type == "real" || d.type == "integer";
-      const std::string value =
-          number ? json_number(std::strtod(d.value.c_str(), nullptr)) : json_string(d.value);
-      out << ",\n  " << json_string(d.unit.empty() ? d.name : d.name + "_" + d.unit) << ": " << value;
-    }
+    for (const auto &d : declared_) out << ",\n  " << json_entry(d);
     out << "\n}\n";
     out.close();
     if (!out) result = failed;
@@ -160,6 +164,41 @@ void Parameter::write(const std::string &file) const {
   if (result == exists)
     fail("'" + file + "' exists already: a run is never overwritten, choose another folder or resume it");
   if (result == failed) fail("cannot write '" + file + "': does its folder exist?");
+}
+
+void Parameter::compare(const std::string &file, const std::set<std::string> &except) const {
+  for (const auto &name : except)
+    if (std::none_of(declared_.begin(), declared_.end(),
+                     [&](const Declaration &d) { return d.name == name; }))
+      fail("parameter compare: '" + name + "' after 'except' is no parameter");
+  std::string difference;
+  if (comm->me == 0) {
+    std::ifstream in(file);
+    if (!in) difference = "cannot read '" + file + "': expected the parameters of the run to go on with";
+    std::vector<std::string> lines;  // as write() made them: one entry a line
+    for (std::string line; std::getline(in, line);) {
+      line.erase(0, line.find_first_not_of(' '));
+      if (!line.empty() && line.back() == ',') line.pop_back();
+      lines.push_back(line);
+    }
+    for (const auto &d : declared_) {
+      if (!difference.empty()) break;
+      const std::string entry = json_entry(d);
+      if (except.count(d.name) || std::count(lines.begin(), lines.end(), entry)) continue;
+      const std::string key = entry.substr(0, entry.find(": ") + 2);
+      const auto before = std::find_if(lines.begin(), lines.end(), [&](const std::string &line) {
+        return line.compare(0, key.size(), key) == 0;
+      });
+      difference = "parameter '" + d.name + "': expected as in '" + file + "', " +
+                   (before == lines.end() ? "where it is missing" : before->substr(key.size())) +
+                   ", got " + d.value;
+    }
+  }
+  int size = static_cast<int>(difference.size());
+  MPI_Bcast(&size, 1, MPI_INT, 0, world);
+  difference.resize(size);
+  MPI_Bcast(&difference[0], size, MPI_CHAR, 0, world);
+  if (size > 0) fail(difference);
 }
 
 std::string Parameter::take_value(const std::string &name, const std::string &fallback) const {

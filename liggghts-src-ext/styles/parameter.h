@@ -10,6 +10,7 @@ CommandStyle(parameter, Parameter)
 
 #include "pointers.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ class Parameter : protected Pointers {
   void declare(const std::vector<std::string> &words);
   void check_command_line() const;
   void write(const std::string &file) const;
+  void compare(const std::string &file, const std::set<std::string> &except) const;
+  static std::string json_entry(const Declaration &declaration);
   std::string take_value(const std::string &name, const std::string &fallback) const;
   void set_variable(const std::string &name, const std::string &style, const std::string &value) const;
   [[noreturn]] void fail(const std::string &message) const;

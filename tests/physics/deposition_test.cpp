@@ -168,10 +168,39 @@ TEST(Deposition, SaysWhenTheBedDidNotComeToRest) {
   EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
 }
 
+// At a hundred times the paper's time step particles fly through the walls, and LIGGGHTS deletes them.
+TEST(Deposition, SaysWhenParticlesHaveLeftTheContainer) {
+  const auto run = run_liggghts(deck, small({{"timestep", "1e-3"}}));
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("particles have left the container, expected all 24"),
+            std::string::npos)
+      << run.output;
+  EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
+}
+
+TEST(Deposition, ResumesWithTheParametersOfTheRunOnly) {
+  const auto first = run_liggghts(deck, small({{"particles", "4"}}));
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  const auto resume = [&](Vars vars) {
+    vars["resume"] = "run/restart/deposition.end.restart";
+    return run_liggghts_in(first.folder, deck, small(vars));
+  };
+  const auto other = resume({{"particles", "4"}, {"friction", "0.5"}});
+  EXPECT_NE(other.exit_code, 0);
+  EXPECT_NE(other.output.find("parameter 'friction': expected as in 'run/parameters.json', 0.3, "
+                              "got 0.5"),
+            std::string::npos)
+      << other.output;
+  const auto longer = resume({{"particles", "4"}, {"relaxation_limit", "30"}});
+  EXPECT_EQ(longer.exit_code, 0) << longer.output;
+}
+
 TEST(Deposition, RefusesWrongParameters) {
   const std::pair<Vars, std::string> wrong[] = {
       {{{"aspect_ratio", "0.5"}}, "parameter 'aspect_ratio': expected minimum 1, got 0.5"},
       {{{"surface", "rough"}}, "parameter 'surface': value 'rough' is none of:"},
+      {{{"surface", "coarse"}, {"overlap", "0.3"}}, "got 0.3 with surface coarse"},
+      {{{"drop_height", "0.115"}}, "y must leave room for particles of template particles"},
       {{{"curvature", "200"}}, "parameter 'curvature': expected maximum 180, got 200"},
       {{{"size_spread", "1"}}, "parameter 'size_spread': expected below 1, got 1"},
       {{{"timestep", "0"}}, "parameter 'timestep': expected above 0, got 0"},

@@ -72,3 +72,23 @@ TEST(ParameterCommand, NeverOverwritesARun) {
   EXPECT_NE(run.output.find("'parameters.json' exists already"), std::string::npos);
   EXPECT_EQ(text_of(run.folder / "parameters.json"), "kept\n");
 }
+
+TEST(ParameterCommand, ComparesWithTheParametersOfARun) {
+  const auto first = run_liggghts(deck, {{"particles", "12"}});
+  std::string again = deck;
+  again.replace(again.find("write"), 5, "compare");
+  const auto compare = [&](const std::map<std::string, std::string>& vars) {
+    return run_liggghts_in(first.folder, again, vars);
+  };
+  EXPECT_EQ(compare({{"particles", "12"}, {"timestep", "11e-6"}}).exit_code, 0);
+  const auto other = compare({});
+  EXPECT_NE(other.exit_code, 0);
+  EXPECT_NE(other.output.find("parameter 'particles': expected as in 'parameters.json', 12, got 9000"),
+            std::string::npos)
+      << other.output;
+
+  again.replace(again.find("parameters.json"), 15, "parameters.json except particles");
+  EXPECT_EQ(compare({}).exit_code, 0);
+  std::filesystem::remove(first.folder / "parameters.json");
+  EXPECT_NE(compare({}).output.find("cannot read 'parameters.json'"), std::string::npos);
+}
