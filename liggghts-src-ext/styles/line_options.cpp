@@ -100,6 +100,17 @@ void check_room(const Domain& domain, const StyleArguments& arguments, const Lin
         part.particles->id, width, options.per_line, options.x_low, options.x_high, cell);
     arguments.fail(text);
   }
+  const double low[3] = {options.x_low, options.y, options.z};
+  const double high[3] = {options.x_high, options.y, options.z};
+  for (int d = 0; d < 3; ++d) {
+    const int shrink_wrapped = 2;  // Domain::boundary from this value on
+    const bool below = domain.boundary[d][0] < shrink_wrapped && low[d] < domain.boxlo[d];
+    const bool above = domain.boundary[d][1] < shrink_wrapped && high[d] > domain.boxhi[d];
+    if (!below && !above) continue;
+    std::snprintf(text, sizeof text, "%c must lie in the simulation box from %g to %g, got '%g'",
+                  "xyz"[d], domain.boxlo[d], domain.boxhi[d], below ? low[d] : high[d]);
+    arguments.fail(text);
+  }
   // LIGGGHTS deletes a body, without a word, when one of its spheres is outside a fixed boundary.
   for (const LineOptions::Part& part : options.parts) {
     const double reach = part.particles->max_r_bound() - part.particles->min_rad();
@@ -111,17 +122,6 @@ void check_room(const Domain& domain, const StyleArguments& arguments, const Lin
                   "y must leave room for particles of template %s, whose spheres reach %g m from "
                   "their centre, in the simulation box from %g to %g, got '%g'",
                   part.particles->id, reach, domain.boxlo[1], domain.boxhi[1], options.y);
-    arguments.fail(text);
-  }
-  const double low[3] = {options.x_low, options.y, options.z};
-  const double high[3] = {options.x_high, options.y, options.z};
-  for (int d = 0; d < 3; ++d) {
-    const int shrink_wrapped = 2;  // Domain::boundary from this value on
-    const bool below = domain.boundary[d][0] < shrink_wrapped && low[d] < domain.boxlo[d];
-    const bool above = domain.boundary[d][1] < shrink_wrapped && high[d] > domain.boxhi[d];
-    if (!below && !above) continue;
-    std::snprintf(text, sizeof text, "%c must lie in the simulation box from %g to %g, got '%g'",
-                  "xyz"[d], domain.boxlo[d], domain.boxhi[d], below ? low[d] : high[d]);
     arguments.fail(text);
   }
 }
