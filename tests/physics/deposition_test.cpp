@@ -102,6 +102,7 @@ TEST(Deposition, SettlesSpheresCoarseAndCurvedParticlesAndWithTheBuiltInIntegrat
   for (const Vars& kind :
        {Vars{{"aspect_ratio", "1"}, {"width_in_lengths", "12"}},
         Vars{{"aspect_ratio", "3"}, {"surface", "coarse"}},
+        Vars{{"aspect_ratio", "12"}, {"surface", "coarse"}, {"line_fall", "0.05"}},
         Vars{{"aspect_ratio", "5"}, {"curvature", "120"}}, Vars{{"integrator", "builtin"}}}) {
     const auto run = run_liggghts(deck, small(kind));
     ASSERT_EQ(run.exit_code, 0) << run.output;
