@@ -69,6 +69,11 @@ else
   # LIGGGHTS prints an error just before it aborts: without line buffering it would be lost.
   $launcher stdbuf -oL build/bin/liggghts -in inputs/deposition/in.deposition \
     -var preset "$preset" -var out "$out" "$@"
+  # LIGGGHTS ends well, too, when a signal has stopped it on the way.
+  if [ ! -e "$out/result.json" ]; then
+    echo "inputs/run.sh: $out is not complete: the same command goes on from its last restart file" >&2
+    exit 1
+  fi
 fi
 
 build/bin/rodpack analyse "$out"
