@@ -92,7 +92,8 @@ Run run_liggghts_in(const fs::path& folder, const std::string& deck,
     throw std::runtime_error("no deck " + file.string());
   }
   // LIGGGHTS prints an error just before MPI_Abort: without line buffering it would be lost.
-  std::string command = ranks > 1 ? mpi_launcher(ranks) : "";
+  // A single process needs no daemon of Open MPI's, whose start takes as long as many a deck.
+  std::string command = ranks > 1 ? mpi_launcher(ranks) : "OMPI_MCA_ess_singleton_isolated=1 ";
   command += "stdbuf -oL " + quoted(std::string(RODPACK_BIN) + "/liggghts");
   command += " -in " + quoted(file.string());
   for (const auto& [name, value] : vars) command += " -var " + name + " " + quoted(value);
