@@ -23,23 +23,11 @@ shift
 out=${OUT:-results/$preset}
 ranks=${RANKS:-1}
 
-# Fails when a `-var NAME VALUE` among the arguments is not what $out/parameters.json says.
-same_parameters() {
-  while [ $# -ge 3 ]; do
-    if [ "$1" != -var ]; then shift; continue; fi
-    awk -v name="$2" -v value="$3" -v out="$out" '
-      { key = $1; gsub(/[":]/, "", key); had = $0; sub(/^[^:]*: /, "", had); gsub(/[",]/, "", had) }
-      key ~ ("^" name "(_(m|s|deg|kg_m3|N_m|m_s|m_s2))?$") && had != value && (had + 0 != value + 0 || had !~ /^[-0-9.]/) {
-        print "inputs/run.sh: " out " holds a run with " name " " had ", not " value \
-          ": choose another folder with OUT=…" > "/dev/stderr"
-        exit 1
-      }' "$out/parameters.json" || return 1
-    shift 3
-  done
-}
-
-if [ -e "$out/parameters.json" ] && [ -e "$out/result.json" ]; then
-  same_parameters -var preset "$preset" "$@"
+arguments="$preset $*"
+if [ -e "$out/result.json" ] && [ -e "$out/arguments" ] && [ "$(cat "$out/arguments")" != "$arguments" ]; then
+  echo "inputs/run.sh: $out holds the run '$(cat "$out/arguments")', not '$arguments':" \
+    "choose another folder with OUT=…" >&2
+  exit 1
 fi
 
 docker/build.sh
@@ -74,6 +62,7 @@ else
     echo "inputs/run.sh: $out is not complete: the same command goes on from its last restart file" >&2
     exit 1
   fi
+  printf '%s\n' "$arguments" > "$out/arguments"
 fi
 
 build/bin/rodpack analyse "$out"
