@@ -169,6 +169,17 @@ void FixTemplateSpherocylinder::setup(int) {
     const int body = tag < 0 ? -1 : bodies.map(tag);
     if (body < 0 || type(body) != type_ || (*rods.radius)(body) > 0) continue;
     const Spherocylinder chain = options_->particle(2. * atom->radius[i]);
+    if (bodies.nrigid(body) != nspheres ||
+        std::fabs(bodies.r_bound(body) / chain.bounding_radius - 1.) > 1e-9) {
+      const std::string text =
+          std::string("Fix ") + style + " (id " + id + "): body " + std::to_string(tag) +
+          " of type " + std::to_string(type_) + " is a chain of " +
+          std::to_string(bodies.nrigid(body)) + " spheres and bounding radius " +
+          std::to_string(bodies.r_bound(body)) + " m, expected " + std::to_string(nspheres) +
+          " and " + std::to_string(chain.bounding_radius) +
+          " m: declare the template of the run that wrote the restart file";
+      error->one(FLERR, text.c_str());
+    }
     rods.radius->set(body, atom->radius[i]);
     rods.half_length->set(
         body, nspheres == 1 ? atom->radius[i] : 0.5 * rodpack::axial_length(chain.shape));

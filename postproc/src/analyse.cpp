@@ -71,8 +71,13 @@ void analyse_rdf(const Packing& packing, const fs::path& out, Json& summary) {
   plot_rdf(rdf, (out / "rdf").string());
   summary["rdf_centres"] = rdf.centres;
   summary["rdf_margin_over_dp"] = rdf.margin;
-  summary["rdf_tail_mean"] = rdf.tail_g;
-  summary["rdf_tail_standard_error"] = rdf.tail_standard_error;
+  if (rdf.tail_standard_error > 0) {
+    summary["rdf_tail_mean"] = rdf.tail_g;
+    summary["rdf_tail_standard_error"] = rdf.tail_standard_error;
+  } else {
+    summary["rdf_tail_mean"] = nullptr;
+    summary["notes"].push_back("RDF: no pair of particles in the last quarter of r");
+  }
   if (rdf.margin_reduced)
     summary["notes"].push_back(
         "RDF: the bed is too small for centres (10 + AR) d_p away from walls "

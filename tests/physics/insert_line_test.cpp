@@ -229,6 +229,23 @@ TEST(InsertLine, RestartBetweenTwoLinesGoesOnAsIfUninterruptedWithAdamsBashforth
   expect_restart_continues("multisphere/ab");
 }
 
+TEST(InsertLine, RefusesARestartWithTheTemplateOfAnotherParticle) {
+  const auto whole = run_liggghts(
+      deck, {{"steps", "10"}, {"every", "5"}, {"rod", "aspect_ratio 5 diameter 0.003 surface smooth"}});
+  ASSERT_EQ(whole.exit_code, 0) << whole.output;
+  for (const char* other : {"aspect_ratio 4 diameter 0.003 surface smooth",
+                            "aspect_ratio 5 diameter 0.003 surface smooth curvature 90"}) {
+    const auto second = run_liggghts(
+        deck, {{"steps", "20"},
+               {"rod", other},
+               {"begin", "read_restart " + (whole.folder / "lines.5.restart").string()}});
+    EXPECT_NE(second.exit_code, 0) << other;
+    EXPECT_NE(second.output.find("is a chain of 9 spheres and bounding radius 0.0075"),
+              std::string::npos)
+        << second.output;
+  }
+}
+
 TEST(InsertLine, StopsWhereALineWouldOverlapTheLastOne) {
   // After 0.01 s the first line has fallen 0.5 mm only: rods 15 mm long are still in the way.
   const auto run = run_liggghts(deck, {{"start", "interval 0.01"}});
