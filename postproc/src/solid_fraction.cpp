@@ -74,9 +74,12 @@ void plot_solid_fraction(const SolidFraction& field, double particle_diameter, d
             number_text((field.lowest - floor) / particle_diameter) + " to graph 1, first " +
             number_text((field.surface - floor) / particle_diameter) +
             " behind fillstyle solid noborder fillcolor '#EEEEEE'\n"
-            "set label 'mean over the grey range:' at graph 0.05, 0.55\n"
-            "set label '{/:Italic φ} = " +
-            number_text(*field.up_to_surface, 3) + "' at graph 0.05, 0.49\n";
+            "set label 'mean over the grey range: {/:Italic φ} = " +
+            number_text(*field.up_to_surface, 3) + "' at graph 0.05, 0.55\n";
+  // Nearer to the surface the kernel averages over the empty space above it.
+  if (field.up_to_3_scales_below)
+    range += "set label 'up to 3{/:Italic ω} below the surface: {/:Italic φ} = " +
+             number_text(*field.up_to_3_scales_below, 3) + "' at graph 0.05, 0.49\n";
   draw_figure(stem, 1.0,
               datablock("phi", {height, field.phi}) + range +
                   "set xlabel 'solid fraction {/:Italic φ}'\n"
