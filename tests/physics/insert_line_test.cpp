@@ -268,6 +268,28 @@ TEST(InsertLine, RefusesParticlesThatDoNotFitTheirCell) {
       << run.output;
 }
 
+// A box, a contact model and a template of rods: what a line needs but the integrator of its bodies.
+const std::string rods_in_a_box = R"(
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+units si
+soft_particles yes
+region box block 0 0.1 0 0.1 -0.005 0.005 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+fix e all property/global youngsModulus peratomtype 1e6
+fix p all property/global poissonsRatio peratomtype 0.3
+fix r all property/global coefficientRestitution peratomtypepair 1 0.5
+fix c all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
+)";
+
 TEST(InsertLine, RefusesWrongInput) {
   const std::string good = "per_line 2 x 0 0.1 y 0.05 total 4 ";
   const std::vector<std::pair<std::string, std::string>> cases = {
@@ -316,26 +338,8 @@ TEST(InsertLine, RefusesWrongInput) {
        "the time between two lines must be at least one time step"},
   };
   for (const auto& [arguments, message] : cases) {
-    const auto run = run_liggghts(R"(
-atom_style granular
-atom_modify map array
-boundary f f f
-newton off
-communicate single vel yes
-units si
-soft_particles yes
-region box block 0 0.1 0 0.1 -0.005 0.005 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix e all property/global youngsModulus peratomtype 1e6
-fix p all property/global poissonsRatio peratomtype 0.3
-fix r all property/global coefficientRestitution peratomtypepair 1 0.5
-fix c all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model hertz tangential history
-pair_coeff * *
+    const auto run = run_liggghts(rods_in_a_box + R"(
 timestep 1e-5
-fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
 fix bodies all multisphere
 fix lines all insert/line )" + arguments +
                                   "\nrun 1\n");
@@ -346,25 +350,7 @@ fix lines all insert/line )" + arguments +
 }
 
 TEST(InsertLine, RefusesBodiesWithoutFixMultisphere) {
-  const auto run = run_liggghts(R"(
-atom_style granular
-atom_modify map array
-boundary f f f
-newton off
-communicate single vel yes
-units si
-soft_particles yes
-region box block 0 0.1 0 0.1 -0.005 0.005 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix e all property/global youngsModulus peratomtype 1e6
-fix p all property/global poissonsRatio peratomtype 0.3
-fix r all property/global coefficientRestitution peratomtypepair 1 0.5
-fix c all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model hertz tangential history
-pair_coeff * *
-fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
+  const auto run = run_liggghts(rods_in_a_box + R"(
 fix lines all insert/line 1 template rods 1 per_line 2 x 0 0.1 y 0.05 total 4 interval 1
 run 1
 )");
