@@ -27,7 +27,7 @@ for_each_file() {
   for file in "$ext"/styles/*.h "$ext"/styles/*.cpp; do
     "$1" "$file" "$src/$(basename "$file")"
   done
-  for file in "$ext"/core/include/rodpack/*.h; do
+  for file in "$ext"/core/include/rodpack/*.h "$ext"/vtk/rodpack/*.h; do
     "$1" "$file" "$src/rodpack/$(basename "$file")"
   done
   # The prefix keeps our sources apart from LIGGGHTS's own: all share one folder there.
