@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 #include <utility>
-#include "comm.h"
 #include "error.h"
 #include "force.h"
+#include "gather.h"
 #include "particle_identity.h"
 #include "update.h"
 
@@ -59,13 +59,7 @@ void ComputeContactOverlap::compute_vector() {
   }
 
   // Two chains may touch on several ranks, so the pairs are counted where all of them are known.
-  const int own = static_cast<int>(deep.size());
-  std::vector<int> sizes(comm->nprocs), starts(comm->nprocs, 0);
-  MPI_Allgather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
-  for (int rank = 1; rank < comm->nprocs; ++rank) starts[rank] = starts[rank - 1] + sizes[rank - 1];
-  std::vector<int> all(starts.back() + sizes.back());
-  MPI_Allgatherv(deep.data(), own, MPI_INT, all.data(), sizes.data(), starts.data(), MPI_INT,
-                 world);
+  const std::vector<int> all = gather_on_all(world, deep);
   std::set<std::pair<int, int>> pairs;
   for (std::size_t k = 0; k < all.size(); k += 2) pairs.insert({all[k], all[k + 1]});
 

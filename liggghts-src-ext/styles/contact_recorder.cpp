@@ -119,6 +119,7 @@ void ContactRecorder::add_contact(const LIGGGHTS::ContactModels::SurfacesInterse
   record.i = sidata.i;
   record.j = sidata.is_wall ? -1 : sidata.j;
   record.primary = is_primary(record.i, record.j);
+  vectorCopy3D(sidata.en, record.normal);
   for (int d = 0; d < 3; ++d) record.point[d] = atom->x[sidata.i][d] - sidata.cri * sidata.en[d];
   vectorCopy3D(i_forces.delta_F, record.force);
   record.overlap = sidata.deltan;

@@ -11,14 +11,15 @@ namespace LAMMPS_NS {
 
 /// One contact of two spheres, or of a sphere and a wall, as this rank sees it. SI units.
 struct ContactRecord {
-  int i;            // local index of sphere i, owned by this rank
-  int j;            // local index of sphere j, owned or ghost; -1 for a wall
-  bool primary;     // true on exactly one of the records of a contact, over all ranks
-  double point[3];  // contact point, half-way into the overlap, in the periodic image of i, m
-  double force[3];  // exerted on i by j, N
-  double overlap;   // normal overlap, m
-  double spring;    // length of the tangential spring, m
-  double kn, kt;    // contact stiffnesses, N/m; kt is 0 without a tangential model
+  int i;             // local index of sphere i, owned by this rank
+  int j;             // local index of sphere j, owned or ghost; -1 for a wall
+  bool primary;      // true on exactly one of the records of a contact, over all ranks
+  double normal[3];  // unit vector from j to i, out of a wall
+  double point[3];   // contact point, half-way into the overlap, in the periodic image of i, m
+  double force[3];   // exerted on i by j, N
+  double overlap;    // normal overlap, m
+  double spring;     // length of the tangential spring, m
+  double kn, kt;     // contact stiffnesses, N/m; kt is 0 without a tangential model
 };
 
 /// Lists the contacts of this step. `collect` evaluates the contact forces of the pair style and of

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dump_multisphere_body.h"
 
-#include <algorithm>
 #include <cmath>
 #include "atom.h"
+#include "body_chains.h"
 #include "domain.h"
 #include "fix_multisphere.h"
 #include "math_const.h"
@@ -43,51 +43,12 @@ DumpMultisphereBody::DumpMultisphereBody(LAMMPS* lmp, int narg, char** arg)
   sortBuffer = new SortBuffer(lmp, true);
 }
 
-std::vector<DumpMultisphereBody::Chain> DumpMultisphereBody::list_chains(
-    const ParticleIdentity& particles) const {
-  Multisphere& data = particles.bodies()->data();
-  const int bodies = data.n_body();
-  std::vector<Chain> chains(bodies, Chain{0.0, 0.0, 0.0, 0.0});
-  const double* const half_length = data.extract_double_scalar("rod_half_length");
-  const double* const radius = data.extract_double_scalar("rod_radius");
-  const double* const curvature = data.extract_double_scalar("rod_curvature");
-  const double* const area = data.extract_double_scalar("rod_area");
-  const bool known = half_length && radius && curvature && area;
-  bool all_known = known;
-  for (int k = 0; known && k < bodies; ++k) {
-    chains[k] = Chain{half_length[k], radius[k], curvature[k], area[k]};
-    all_known = all_known && radius[k] > 0.0;
-  }
-  if (all_known) return chains;
-
-  // Bodies of another template: the straight chain that encloses their spheres. The rank that owns
-  // a body has all of its spheres, owned or as ghosts.
-  for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
-    const int body = particles.body_of(i);
-    const int k = body >= 0 ? data.map(body) : -1;
-    if (k < 0 || (known && radius[k] > 0.0)) continue;
-    double centre[3], displacement[3];
-    data.xcm(centre, k);
-    vectorSubtract3D(atom->x[i], centre, displacement);
-    domain->minimum_image(displacement);
-    chains[k].radius = std::max(chains[k].radius, atom->radius[i]);
-    chains[k].half_length =
-        std::max(chains[k].half_length, vectorMag3D(displacement) + atom->radius[i]);
-  }
-  for (int k = 0; k < bodies; ++k) {
-    if (known && radius[k] > 0.0) continue;
-    const double r = chains[k].radius;
-    chains[k].area = MY_PI * r * r + 4.0 * r * (chains[k].half_length - r);
-  }
-  return chains;
-}
-
 void DumpMultisphereBody::list_rows() {
   const ParticleIdentity particles(lmp);
 
   if (particles.bodies() && particles.bodies()->n_body() > 0) {
     Multisphere& data = particles.bodies()->data();
-    const std::vector<Chain> chains = list_chains(particles);
+    const std::vector<BodyChain> chains = body_chains(lmp, particles);
     double** const axis = data.extract_double_vector("ex_space");
     auto& type = *data.prop().getElementProperty<ScalarContainer<int>>("clumptype");
     for (int k = 0; k < data.n_body(); ++k) {
@@ -97,7 +58,7 @@ void DumpMultisphereBody::list_rows() {
       data.vcm(v, k);
       data.omega(omega, k);
       data.quat(q, k);
-      const Chain& chain = chains[k];
+      const BodyChain& chain = chains[k];
       ids_.push_back(data.tag(k));
       const double row[] = {static_cast<double>(data.tag(k)),
                             static_cast<double>(type(k)),

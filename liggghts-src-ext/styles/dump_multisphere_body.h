@@ -18,12 +18,6 @@ class DumpMultisphereBody : public TableDump {
 
  protected:
   void list_rows();
-
- private:
-  struct Chain {  // of one body
-    double half_length, radius, curvature, area;
-  };
-  std::vector<Chain> list_chains(const class ParticleIdentity& particles) const;
 };
 
 }  // namespace LAMMPS_NS

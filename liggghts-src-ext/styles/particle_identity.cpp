@@ -2,10 +2,14 @@
 #include "particle_identity.h"
 
 #include <mpi.h>
+#include <algorithm>
 #include "atom.h"
 #include "comm.h"
+#include "contact_recorder.h"
+#include "domain.h"
 #include "fix_multisphere.h"
 #include "modify.h"
+#include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
 
@@ -23,8 +27,8 @@ int ParticleIdentity::id_of(int atom_index) const {
   return body >= 0 ? body : largest_body_id_ + atom->tag[atom_index];
 }
 
-std::vector<std::array<double, 3>> ParticleIdentity::all_body_centres() const {
-  std::vector<std::array<double, 3>> centres(largest_body_id_ + 1, {{0.0, 0.0, 0.0}});
+std::vector<rodpack::Vector> ParticleIdentity::all_body_centres() const {
+  std::vector<rodpack::Vector> centres(largest_body_id_ + 1, {{0.0, 0.0, 0.0}});
   if (!bodies_) return centres;
   for (int k = 0; k < bodies_->n_body(); ++k)
     bodies_->data().xcm(centres[bodies_->data().tag(k)].data(), k);
@@ -32,6 +36,40 @@ std::vector<std::array<double, 3>> ParticleIdentity::all_body_centres() const {
   MPI_Allreduce(MPI_IN_PLACE, centres[0].data(), 3 * (largest_body_id_ + 1), MPI_DOUBLE, MPI_SUM,
                 world);
   return centres;
+}
+
+int ParticleIdentity::largest_id() const {
+  int largest = largest_body_id_;
+  for (int i = 0; i < atom->nlocal; ++i) largest = std::max(largest, id_of(i));
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_INT, MPI_MAX, world);
+  return largest;
+}
+
+// Centre of mass of the particle that a sphere belongs to, in the periodic image of that sphere.
+rodpack::Vector ParticleIdentity::centre_near(int sphere,
+                                              const std::vector<rodpack::Vector>& centres) const {
+  const double* const x = atom->x[sphere];
+  const int body = body_of(sphere);
+  rodpack::Vector centre{{x[0], x[1], x[2]}};
+  if (body < 0) return centre;
+  double branch[3];
+  vectorSubtract3D(centres[body].data(), x, branch);
+  domain->minimum_image(branch);
+  for (int d = 0; d < 3; ++d) centre[d] += branch[d];
+  return centre;
+}
+
+rodpack::Contact ParticleIdentity::contact_of(const ContactRecord& record,
+                                              const std::vector<rodpack::Vector>& centres) const {
+  rodpack::Contact contact;
+  contact.wall = record.j < 0;
+  contact.i = id_of(record.i);
+  contact.j = contact.wall ? 0 : id_of(record.j);
+  vectorCopy3D(record.point, contact.point.data());
+  vectorCopy3D(record.force, contact.force.data());
+  contact.centre_i = centre_near(record.i, centres);
+  contact.centre_j = contact.wall ? contact.point : centre_near(record.j, centres);
+  return contact;
 }
 
 }  // namespace LAMMPS_NS

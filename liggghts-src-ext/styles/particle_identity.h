@@ -2,9 +2,9 @@
 #ifndef LMP_PARTICLE_IDENTITY_H
 #define LMP_PARTICLE_IDENTITY_H
 
-#include <array>
 #include <vector>
 #include "pointers.h"
+#include "rodpack/contact_pairs.h"
 
 namespace LAMMPS_NS {
 
@@ -27,9 +27,20 @@ class ParticleIdentity : protected Pointers {
   int id_of(int atom_index) const;
 
   /// Centres of mass of all bodies of all ranks, by body id, m; collective. Absent ids hold zeros.
-  std::vector<std::array<double, 3>> all_body_centres() const;
+  std::vector<rodpack::Vector> all_body_centres() const;
+
+  /// Largest id of a particle on any rank; collective.
+  int largest_id() const;
+
+  /// A contact as one of particles, which knows their centres of mass in the periodic images that
+  /// touch; for a wall the id is 0 and the contact point stands for the centre. `centres` by
+  /// all_body_centres().
+  rodpack::Contact contact_of(const struct ContactRecord& record,
+                              const std::vector<rodpack::Vector>& centres) const;
 
  private:
+  rodpack::Vector centre_near(int sphere, const std::vector<rodpack::Vector>& centres) const;
+
   class FixMultisphere* bodies_;
   int largest_body_id_;
 };

@@ -11,8 +11,8 @@
 
 namespace LAMMPS_NS {
 
-StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first)
-    : Pointers(lmp), narg_(narg), arg_(arg), next_(first) {}
+StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first, const char* kind)
+    : Pointers(lmp), narg_(narg), arg_(arg), next_(first), kind_(kind) {}
 
 std::string StyleArguments::word(const std::string& keyword, const std::string& expected) {
   if (!more()) fail("value of " + keyword + " is missing, expected " + expected);
@@ -46,7 +46,7 @@ bool StyleArguments::yes_or_no(const std::string& keyword) {
 }
 
 void StyleArguments::fail(const std::string& message) const {
-  const std::string text = std::string("Fix ") + arg_[2] + " (id " + arg_[0] + "): " + message;
+  const std::string text = std::string(kind_) + " " + arg_[2] + " (id " + arg_[0] + "): " + message;
   error->all(FLERR, text.c_str());
   std::abort();  // not reached: Error::all ends the run, but does not say so to the compiler
 }

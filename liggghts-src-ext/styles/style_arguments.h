@@ -9,13 +9,13 @@
 
 namespace LAMMPS_NS {
 
-/// Reads the words of a fix command one after the other. Whatever is missing or wrong ends the run
-/// with one line that names the keyword, the value and what was expected: LIGGGHTS's own atof()
-/// would read a misspelt number as 0.
+/// Reads the words of a fix or compute command one after the other. Whatever is missing or wrong
+/// ends the run with one line that names the keyword, the value and what was expected: LIGGGHTS's
+/// own atof() would read a misspelt number as 0.
 class StyleArguments : protected Pointers {
  public:
-  /// Words from `arg[first]` on; arg[0] is the fix's id, arg[2] its style.
-  StyleArguments(LAMMPS* lmp, int narg, char** arg, int first = 3);
+  /// Words from `arg[first]` on; arg[0] is the id, arg[2] the style of the `kind` of command.
+  StyleArguments(LAMMPS* lmp, int narg, char** arg, int first = 3, const char* kind = "Fix");
 
   bool more() const { return next_ < narg_; }
   /// The next word, without moving on; empty at the end.
@@ -27,7 +27,7 @@ class StyleArguments : protected Pointers {
   int integer(const std::string& keyword, const std::string& expected, bool (*valid)(long));
   bool yes_or_no(const std::string& keyword);
 
-  /// Ends the run on all ranks: "Fix STYLE (id ID): MESSAGE".
+  /// Ends the run on all ranks: "KIND STYLE (id ID): MESSAGE".
   [[noreturn]] void fail(const std::string& message) const;
   /// Fails with "KEYWORD must be EXPECTED, got 'VALUE'".
   [[noreturn]] void reject(const std::string& keyword, const std::string& expected,
@@ -37,6 +37,7 @@ class StyleArguments : protected Pointers {
   int narg_;
   char** arg_;
   int next_;
+  const char* kind_;
 };
 
 /// A seed for LIGGGHTS's generators, which insist on a prime above 10000: any positive integer is

@@ -10,6 +10,14 @@
 
 namespace LAMMPS_NS {
 
+std::string name_at_step(std::string name, long long step, int width) {
+  const std::size_t star = name.find('*');
+  if (star == std::string::npos) return name;
+  char digits[64];
+  std::snprintf(digits, sizeof(digits), "%0*lld", width, step);
+  return name.replace(star, 1, digits);
+}
+
 TableDump::TableDump(LAMMPS* lmp, int narg, char** arg) : Dump(lmp, narg, arg) {
   if (narg > 5) stop(std::string("unknown argument ") + arg[5]);
   if (binary) stop(std::string("is text only, not ") + filename);
@@ -44,13 +52,8 @@ void TableDump::init_style() {
 void TableDump::openfile() {
   if (singlefile_opened) return;
   if (!multifile) singlefile_opened = 1;
-  std::string name = multiproc ? multiname : filename;
-  const std::size_t star = name.find('*');
-  if (star != std::string::npos) {
-    char step[64];
-    std::snprintf(step, sizeof(step), "%0*lld", padflag, static_cast<long long>(update->ntimestep));
-    name.replace(star, 1, step);
-  }
+  const std::string name =
+      name_at_step(multiproc ? multiname : filename, update->ntimestep, padflag);
   fp = NULL;
   if (!filewriter) return;
   if (compressed) {

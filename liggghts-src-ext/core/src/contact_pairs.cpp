@@ -79,6 +79,19 @@ ContactPairs sum_pairs(std::vector<Contact> contacts) {
   return result;
 }
 
+std::vector<TouchingPair> merge_pairs(std::vector<TouchingPair> pairs) {
+  std::sort(pairs.begin(), pairs.end(), [](const TouchingPair& a, const TouchingPair& b) {
+    return std::tie(a.i, a.j) < std::tie(b.i, b.j);
+  });
+  std::vector<TouchingPair> merged;
+  for (const TouchingPair& pair : pairs)
+    if (!merged.empty() && merged.back().i == pair.i && merged.back().j == pair.j)
+      merged.back().contacts += pair.contacts;
+    else
+      merged.push_back(pair);
+  return merged;
+}
+
 std::vector<Touching> count_touching(const std::vector<TouchingPair>& pairs, std::size_t count) {
   std::vector<Touching> touching(count);
   for (const TouchingPair& pair : pairs)

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/coarse_graining.h"
+#include "coarse_graining.h"  // flat beside it in a LIGGGHTS tree of one's own
 
 namespace rodpack {
 

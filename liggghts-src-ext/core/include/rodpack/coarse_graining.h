@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/averaging_kernel.h"
-#include "rodpack/contact_pairs.h"
-#include "rodpack/line_rule.h"
+#include "averaging_kernel.h"
+#include "contact_pairs.h"
+#include "line_rule.h"
 
 namespace rodpack {
 

@@ -41,6 +41,9 @@ struct ContactPairs {
 /// contact point. Two particles that touch in two periodic images have two interactions.
 ContactPairs sum_pairs(std::vector<Contact> contacts);
 
+/// Sorted, each pair once: those of several processes, whose contacts add up.
+std::vector<TouchingPair> merge_pairs(std::vector<TouchingPair> pairs);
+
 /// How many particles a particle touches, and in how many contacts. Walls do not count.
 struct Touching {
   int particles = 0;

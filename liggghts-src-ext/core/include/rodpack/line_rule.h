@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/averaging_kernel.h"
+#include "averaging_kernel.h"
 
 namespace rodpack {
 

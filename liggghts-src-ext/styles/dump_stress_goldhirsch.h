@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef DUMP_CLASS
+// clang-format off
+DumpStyle(stress/goldhirsch,DumpStressGoldhirsch)
+// clang-format on
+#else
+#ifndef LMP_DUMP_STRESS_GOLDHIRSCH_H
+#define LMP_DUMP_STRESS_GOLDHIRSCH_H
+
+#include <string>
+#include "dump.h"
+
+namespace LAMMPS_NS {
+
+/// Writes the fields of a compute stress/goldhirsch to .vti or .csv files; see
+/// doc/dump_stress_goldhirsch.md.
+class DumpStressGoldhirsch : public Dump {
+ public:
+  DumpStressGoldhirsch(class LAMMPS* lmp, int narg, char** arg);
+  void write();
+
+ protected:
+  void init_style();
+  // Dump::write's steps for lines per atom, of which there are none here
+  void write_header(bigint) {}
+  void pack(int*) {}
+  void write_data(int, double*) {}
+
+ private:
+  [[noreturn]] void stop(const std::string& text) const;
+
+  std::string compute_id_;
+  class ComputeStressGoldhirsch* compute_;
+  bool image_;  // .vti, else .csv
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif
