@@ -82,6 +82,10 @@ void for_each_frame(const std::vector<std::string>& files,
 /// Last frame of the last file.
 Frame last_frame(const std::vector<std::string>& files);
 
+/// Frame of the given timestep; `files` as find_dumps() orders them. @throws DataError naming the
+/// timestep closest before it (else after it) when there is none.
+Frame frame_at(const std::vector<std::string>& files, long timestep);
+
 }  // namespace rodpack
 
 #endif
