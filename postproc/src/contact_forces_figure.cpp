@@ -57,7 +57,7 @@ void plot_friction(const MobilisedFriction& friction, const std::string& stem) {
   const double width = 1 / static_cast<double>(friction.centre.size());
   draw_figure(stem, 1.4,
               datablock("h", {friction.centre, friction.density, friction.standard_error}) +
-                  "set xlabel 'mobilised friction {/:Italic f}_t / {/:Italic μ f}_n'\n"
+                  "set xlabel 'mobilised friction {/:Italic f}_t / ({/:Italic μ f}_n)'\n"
                   "set ylabel 'probability density'\n"
                   "set xrange [0:1]\nset yrange [0:*]\nset boxwidth " +
                   number_text(width) + "\n" +

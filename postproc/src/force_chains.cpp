@@ -21,7 +21,8 @@ using Pair = std::tuple<double, double, std::array<long, 3>>;
 struct PairSum {
   std::array<double, 4> ends{};   // x1 y1 x2 y2 of the first contact, m
   std::array<double, 3> force{};  // on the body of the smaller id, or on the one at the wall, N
-  // Sums over the contact points, weighted by the magnitude of the force.
+  // Sums over the branches from i to j, weighted by the magnitude of the force: at a wall they end
+  // in several points, and a rod across a periodic border may appear in two images.
   double weight = 0, x = 0, y = 0;
 };
 
@@ -48,8 +49,6 @@ std::vector<ForceLine> force_lines(const Frame& contacts) {
   const auto& body_i = contacts.column("body_i");
   const auto& body_j = contacts.column("body_j");
   const auto& wall = contacts.column("wall");
-  const auto& x = contacts.column("x");
-  const auto& y = contacts.column("y");
   const auto f = columns({"fx", "fy", "fz"});
   const auto n = columns({"nx", "ny", "nz"});
   const std::array<const std::vector<double>*, 4> ends{
@@ -62,7 +61,9 @@ std::vector<ForceLine> force_lines(const Frame& contacts) {
     std::array<long, 3> normal{};
     if (at_wall)
       for (std::size_t c = 0; c < 3; ++c) normal[c] = std::lround(100 * (*n[c])[i]);
-    const auto [smaller, larger] = std::minmax(body_i[i], at_wall ? 0 : body_j[i]);
+    const double other = at_wall ? 0 : body_j[i];
+    const double smaller = std::min(body_i[i], other);
+    const double larger = std::max(body_i[i], other);
     auto& pair = pairs[{smaller, larger, normal}];
     const double sign = at_wall || body_i[i] == smaller ? 1 : -1;
     double squared = 0;
@@ -75,8 +76,8 @@ std::vector<ForceLine> force_lines(const Frame& contacts) {
       for (std::size_t e = 0; e < 4; ++e) pair.ends[e] = (*ends[e])[i];
     const double weight = std::sqrt(squared);
     pair.weight += weight;
-    pair.x += weight * x[i];
-    pair.y += weight * y[i];
+    pair.x += weight * ((*ends[2])[i] - (*ends[0])[i]);
+    pair.y += weight * ((*ends[3])[i] - (*ends[1])[i]);
   }
 
   std::vector<ForceLine> lines;
@@ -84,9 +85,9 @@ std::vector<ForceLine> force_lines(const Frame& contacts) {
     const auto& e = pair.ends;
     const auto& f = pair.force;
     ForceLine line{e[0], e[1], e[2], e[3], std::hypot(f[0], f[1], f[2])};
-    if (std::get<0>(key) == 0 && pair.weight > 0) {  // the point of a wall that the dump gives as
-      line.x2 = pair.x / pair.weight;                // bj is one of several
-      line.y2 = pair.y / pair.weight;
+    if (std::get<0>(key) == 0 && pair.weight > 0) {
+      line.x2 = line.x1 + pair.x / pair.weight;
+      line.y2 = line.y1 + pair.y / pair.weight;
     }
     lines.push_back(line);
   }
@@ -121,7 +122,8 @@ void draw_force_chains(const Frame& contacts, const PackingOptions& options,
   for (const auto& line : lines) forces.push_back(line.force);
   auto scale = force_scale(forces, std::nullopt, "force between particles");
   scale.palette = &embers;
-  const double full = std::max(3.0, 0.3 * spacing * picture.per_metre());
+  const double full = std::max(3.0, 0.24 * spacing * picture.per_metre());
+  const double thin = std::max(1.0, longer * picture.per_metre() / 1500);  // seen on a screen
   const double strongest = quantile_99(forces);
   auto& drawing = picture.begin();
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -133,7 +135,7 @@ void draw_force_chains(const Frame& contacts, const PackingOptions& options,
                            std::min(line.x1, line.x2) + shift > walls.right;
       if (shift != 0 && (walls.sides || outside)) continue;
       drawing.line(picture.x(line.x1 + shift), picture.y(line.y1), picture.x(line.x2 + shift),
-                   picture.y(line.y2), std::max(1.0, part * full), scale.shade(k), "round");
+                   picture.y(line.y2), std::max(thin, part * full), scale.shade(k), "round");
     }
   }
   picture.finish(walls, diameter, scale, stem);

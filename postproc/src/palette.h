@@ -25,8 +25,8 @@ inline constexpr std::array<Rgb, 9> viridis{{{68, 1, 84},
 
 /// Sequential, from a light grey to dark red: for lines on a white background, where the weak ones
 /// should fade.
-inline constexpr std::array<Rgb, 9> embers{{{216, 212, 204},
-                                            {240, 205, 160},
+inline constexpr std::array<Rgb, 9> embers{{{205, 200, 192},
+                                            {232, 192, 148},
                                             {250, 178, 112},
                                             {250, 141, 89},
                                             {239, 101, 72},

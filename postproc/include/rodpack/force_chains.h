@@ -19,7 +19,7 @@ struct ForceLine {
   double force;           // magnitude, N
 };
 
-/// One line per touching pair, of a frame with the columns `body_i body_j wall x y fx fy fz bix biy
+/// One line per touching pair, of a frame with the columns `body_i body_j wall fx fy fz bix biy
 /// bjx bjy nx ny nz`. @throws DataError when a column is missing, TooFewParticles when there are no
 /// contacts.
 std::vector<ForceLine> force_lines(const Frame& contacts);
