@@ -101,18 +101,25 @@ void add_forces(CLI::App& app) {
     settings.friction = find_friction(files.back(), input.packing.parameters, settings.friction);
     ContactForceSample sample(settings);
     Frame last;
+    std::size_t empty = 0;
     input.for_frames([&](const Frame& frame) {
+      if (input.all_frames && frame.rows == 0) {  // as at the start of a deposition
+        ++empty;
+        return;
+      }
       std::optional<Frame> bodies;
       if (!body_files.empty()) bodies = frame_at(body_files, frame.timestep);
       sample.add(frame, bodies ? &*bodies : nullptr);
       last = frame;
     });
+    if (last.rows == 0) throw DataError(files.back() + ": no contacts in any frame");
     const auto forces = sample.result();
     const auto& stem = options->stem;
     write_contact_force_tables(forces, stem);
     plot_contact_forces(forces, stem);
     draw_force_chains(last, input.packing, stem + "_chains");
     report(forces, std::cout);
+    if (empty > 0) std::cout << "left out: " << empty << " frames without contacts\n";
     std::cout << "written: " << stem << ".csv .png .svg, ";
     if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
     std::cout << stem << "_coordination.csv .png .svg, " << stem << "_chains.png .svg\n";
