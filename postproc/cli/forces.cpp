@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "rodpack/force_chains.h"
+#include "rodpack/render.h"
 #include "rodpack/text.h"
 
 namespace rodpack::cli {
@@ -74,26 +75,12 @@ void add_forces(CLI::App& app) {
       ->type_name("MU");
   command->add_flag("--walls-too", options->forces.walls_too,
                     "contacts with walls count too, but not as touching particles");
-  auto& packing = options->input.packing;
-  command
-      ->add_option("--walls", packing.walls,
-                   "x of the left and right wall and y of the floor, m, for the picture [default: "
-                   "parameters.json, else the box bounds of the dump]")
-      ->expected(3)
-      ->type_name("LEFT RIGHT FLOOR");
-  command
-      ->add_option("--dp", packing.particle_diameter,
-                   "primary sphere diameter d_p, m, for the scale bar [default: parameters.json]")
-      ->check(CLI::PositiveNumber)
-      ->type_name("M");
-  command
-      ->add_option("--parameters", packing.parameters,
-                   "parameters.json of the run [default: beside the dump or one folder up]")
-      ->type_name("FILE");
+  add_packing_options(*command, options->input);
   add_output(*command, options->stem);
 
   command->callback([options] {
     const auto& input = options->input;
+    auto packing = input.packing;
     const auto files = find_dumps(input.patterns);
     std::vector<std::string> body_files;
     if (!options->bodies.empty()) body_files = find_dumps(options->bodies);
@@ -110,16 +97,18 @@ void add_forces(CLI::App& app) {
       std::optional<Frame> bodies;
       if (!body_files.empty()) bodies = frame_at(body_files, frame.timestep);
       sample.add(frame, bodies ? &*bodies : nullptr);
+      if (bodies) packing.particle_diameter = sphere_diameter(*bodies, packing);
       last = frame;
     });
     if (last.rows == 0) throw DataError(files.back() + ": no contacts in any frame");
     const auto forces = sample.result();
+    force_lines(last);  // bad columns show before anything is written
     const auto& stem = options->stem;
     write_contact_force_tables(forces, stem);
     plot_contact_forces(forces, stem);
-    draw_force_chains(last, input.packing, stem + "_chains");
+    draw_force_chains(last, packing, stem + "_chains");
     report(forces, std::cout);
-    if (empty > 0) std::cout << "left out: " << empty << " frames without contacts\n";
+    if (empty > 0) std::cout << "frames without contacts, left out: " << empty << '\n';
     std::cout << "written: " << stem << ".csv .png .svg, ";
     if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
     std::cout << stem << "_coordination.csv .png .svg, " << stem << "_chains.png .svg\n";

@@ -138,6 +138,7 @@ struct Contacts {
       }
       ContactForceOptions options;
       options.friction = find_friction(frame.file, parameters, {});
+      force_lines(frame);  // bad columns show before anything is written
       forces = measure_contact_forces(frame, &bodies, options);
     } catch (const NoSuchFrame& reason) {
       note = reason.what();
@@ -292,6 +293,7 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
     } catch (const TooFewParticles& reason) {
       summary["notes"].push_back(reason.what());
     }
+  options.particle_diameter = packing.particle_diameter;
   analyse_contacts(contacts, options, out, summary);
   analyse_energies(run, out, summary);
 

@@ -212,6 +212,37 @@ TEST(Forces, WhatIsNotKnownIsLeftOutAndTheReportSaysSo) {
   EXPECT_TRUE(fs::exists(folder / "forces_friction.csv"));
 }
 
+TEST(Forces, AMissingColumnOfThePictureIsNamedBeforeAnythingIsWritten) {
+  const auto folder = fresh_folder();
+  auto text = small_packing().contacts_frame(7);
+  text.replace(text.find("bjy"), 3, "own");
+  put(folder / "c.dump", text);
+  const auto run = rodpack_command("forces c.dump", folder);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("c.dump:9: no column 'bjy'"));
+  EXPECT_FALSE(fs::exists(folder / "forces.csv"));
+}
+
+// The chains of a pair that touches across a periodic border are drawn at both.
+TEST(Forces, APeriodicPackingHasNoSideWalls) {
+  const auto folder = fresh_folder();
+  const std::string columns =
+      "body_i body_j sphere_i sphere_j wall x y z fx fy fz bix biy biz bjx bjy bjz nx ny nz";
+  const std::string row = "1 2 1 2 0 0 0.5 0 1e-3 0 0 0.05 0.5 0 -0.05 0.5 0 1 0 0\n";
+  const auto lines = [&](const std::string& flags) {
+    put(folder / "c.dump", rodpack::test::frame_head(1, 1, 1, 1, columns, flags) + row);
+    EXPECT_EQ(rodpack_command("forces c.dump", folder).exit_code, 0);
+    const auto text = content(folder / "forces_chains.svg");
+    int count = 0;
+    for (auto at = text.find("\"round\""); at != std::string::npos;
+         at = text.find("\"round\"", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(lines("ff ff pp"), 1);
+  EXPECT_EQ(lines("pp ff pp"), 2);
+}
+
 TEST(Forces, BodiesOfAnotherTimestepAndFramesWithoutContactsAreRefused) {
   const auto folder = fresh_folder();
   const auto packing = small_packing();
@@ -228,7 +259,7 @@ TEST(Forces, BodiesOfAnotherTimestepAndFramesWithoutContactsAreRefused) {
   EXPECT_EQ(rodpack_command("forces e.dump --all-frames", folder).output,
             "rodpack: e.dump: no contacts in any frame\n");
   EXPECT_THAT(rodpack_command("forces c.dump e.dump --all-frames", folder).output,
-              HasSubstr("left out: 1 frames without contacts"));
+              HasSubstr("frames without contacts, left out: 1"));
 }
 
 TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
