@@ -265,7 +265,7 @@ Frame frame_at(const std::vector<std::string>& files, long timestep) {
     if (frame.timestep < timestep) nearest = frame.timestep;
   }
   throw NoSuchFrame(*file + ": expected a frame of timestep " + std::to_string(timestep) +
-                  ", found timestep " + std::to_string(nearest));
+                    ", found timestep " + std::to_string(nearest));
 }
 
 }  // namespace rodpack
