@@ -16,8 +16,8 @@ void add_analyse(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand(
       "analyse",
-      "Everything at once for the last frame of a run: orientation, RDF, solid fraction, energies, "
-      "picture and VTK files, into RUN_FOLDER/analysis with a summary.json.");
+      "Everything at once for the last frame of a run: orientation, RDF, solid fraction, contact "
+      "forces, energies, pictures and VTK files, into RUN_FOLDER/analysis with a summary.json.");
   command->footer(
       "Example:\n"
       "  rodpack analyse results/quick\n"

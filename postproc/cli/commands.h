@@ -13,6 +13,7 @@ namespace rodpack::cli {
 // Each adds one subcommand; its options live in its own file.
 void add_orientation(CLI::App& app);
 void add_rdf(CLI::App& app);
+void add_forces(CLI::App& app);
 void add_render(CLI::App& app);
 void add_export(CLI::App& app);
 void add_analyse(CLI::App& app);

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   cli::add_analyse(app);
   cli::add_orientation(app);
   cli::add_rdf(app);
+  cli::add_forces(app);
   cli::add_render(app);
   cli::add_export(app);
 

@@ -8,7 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "rodpack/contact_forces.h"
 #include "rodpack/figure.h"
+#include "rodpack/force_chains.h"
 #include "rodpack/orientation.h"
 #include "rodpack/rdf.h"
 #include "rodpack/render.h"
@@ -27,7 +29,8 @@ std::optional<long> last_step(const fs::path& run) {
   if (!file) return {};
   const auto result = Json::parse(file, nullptr, false);
   if (!result.is_object() || !result.contains("step") || !result["step"].is_number())
-    throw DataError((run / "result.json").string() + ": expected a JSON object with a number 'step'");
+    throw DataError((run / "result.json").string() +
+                    ": expected a JSON object with a number 'step'");
   return result["step"].get<long>();
 }
 
@@ -112,6 +115,65 @@ void analyse_solid_fraction(const Packing& packing, const fs::path& out, Json& s
   plot_solid_fraction(field, d, packing.walls.floor, (out / "solid_fraction").string());
 }
 
+// The contacts of the bodies' timestep and what they say, or why they say nothing.
+struct Contacts {
+  std::vector<std::string> files;
+  Frame frame;
+  std::optional<ContactForces> forces;
+  std::string note;
+
+  Contacts(const fs::path& run, const Frame& bodies, const std::string& parameters) {
+    try {
+      files = dumps_of(run, "contacts");
+    } catch (const DataError& reason) {
+      note = reason.what();
+      return;
+    }
+    try {
+      frame = frame_at(files, bodies.timestep);
+      if (frame.rows > 0 && !frame.has("nx")) {
+        note = frame.file + ":" + std::to_string(frame.header_line) +
+               ": no column 'nx', which dumps of earlier versions lack: forces are left out";
+        return;
+      }
+      ContactForceOptions options;
+      options.friction = find_friction(frame.file, parameters, {});
+      force_lines(frame);  // bad columns show before anything is written
+      forces = measure_contact_forces(frame, &bodies, options);
+    } catch (const NoSuchFrame& reason) {
+      note = reason.what();
+    } catch (const TooFewParticles& reason) {
+      note = reason.what();
+    }
+  }
+};
+
+void analyse_contacts(const Contacts& contacts, const PackingOptions& options, const fs::path& out,
+                      Json& summary) {
+  if (!contacts.note.empty()) summary["notes"].push_back("contacts: " + contacts.note);
+  if (!contacts.forces) return;
+  const auto& forces = *contacts.forces;
+  const auto stem = (out / "forces").string();
+  write_contact_force_tables(forces, stem);
+  plot_contact_forces(forces, stem);
+  draw_force_chains(contacts.frame, options, stem + "_chains");
+  summary["mean_normal_force_N"] = forces.normal.mean;
+  summary["mean_tangential_force_N"] = forces.tangential.mean;
+  if (forces.friction) {
+    summary["mobilised_friction_mean"] = forces.friction->mean;
+    summary["sliding_fraction"] = forces.friction->sliding_fraction;
+  } else {
+    summary["mobilised_friction_mean"] = nullptr;
+    summary["sliding_fraction"] = nullptr;
+    summary["notes"].push_back(
+        "contacts: no positive friction in parameters.json, so that the "
+        "mobilised friction is left out");
+  }
+  summary["coordination_number"] = forces.coordination.touching_particles;
+  summary["contacts_per_particle"] = forces.coordination.contacts;
+  summary["rattlers"] = *forces.coordination.rattlers;
+}
+
 // Rows of energies.csv, without those that a run resumed from a restart has computed anew.
 struct Energies {
   std::vector<double> time, kinetic, elastic;  // s, J, J
@@ -175,10 +237,12 @@ namespace {
 void remove_own_outputs(const fs::path& out) {
   std::error_code ignored;
   fs::remove(out / "summary.json", ignored);
-  for (const std::string table : {"orientation", "rdf", "solid_fraction"})
+  for (const std::string table :
+       {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination"})
     fs::remove(out / (table + ".csv"), ignored);
   for (const std::string figure :
-       {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing"})
+       {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
+        "forces", "forces_friction", "forces_coordination", "forces_chains"})
     for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
   for (const std::string kind : {"bodies", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
@@ -198,15 +262,15 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
   const auto body_files = dumps_of(run, "bodies");
   const auto sphere_files = dumps_of(run, "spheres");
 
-  const auto packing = [&] {
-    PackingOptions options;
-    options.parameters = parameters.file;
-    return read_packing(last_frame(body_files), options);
-  }();
+  PackingOptions options;
+  options.parameters = parameters.file;
+  const auto bodies = last_frame(body_files);
+  const auto packing = read_packing(bodies, options);
   const auto spheres = last_frame(sphere_files);
   // Bad columns and tables show before anything is written.
   for (const std::string name : {"x", "y", "radius", "fx", "fy", "fz"}) spheres.column(name);
   if (const auto table = run / "energies.csv"; fs::exists(table)) Energies{table.string()};
+  const Contacts contacts(run, bodies, parameters.file);
 
   const fs::path out = run / "analysis";
   std::error_code error;
@@ -229,10 +293,12 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
     } catch (const TooFewParticles& reason) {
       summary["notes"].push_back(reason.what());
     }
+  options.particle_diameter = packing.particle_diameter;
+  analyse_contacts(contacts, options, out, summary);
   analyse_energies(run, out, summary);
 
   RenderOptions render;
-  render.packing.parameters = parameters.file;
+  render.packing = options;
   render_spheres(spheres, render, (out / "packing").string());
 
   auto exported = all_frames ? body_files : std::vector<std::string>{body_files.back()};
@@ -240,11 +306,7 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
     exported.insert(exported.end(), all_frames ? files.begin() : files.end() - 1, files.end());
   };
   add(sphere_files);
-  try {
-    add(dumps_of(run, "contacts"));
-  } catch (const DataError& reason) {
-    summary["notes"].push_back(std::string("contacts: ") + reason.what());
-  }
+  if (!contacts.files.empty()) add(contacts.files);
   export_vtk(exported, (out / "vtk").string(), dt);
 
   summary["parameters"] = parameters.values;

@@ -252,4 +252,20 @@ Frame last_frame(const std::vector<std::string>& files) {
   return frame;
 }
 
+Frame frame_at(const std::vector<std::string>& files, long timestep) {
+  if (files.empty()) throw DataError("no dump file given");
+  // From the last file back to the first one that begins at or before the timestep.
+  auto file = files.rbegin();
+  while (std::next(file) != files.rend() && DumpReader::first_timestep(*file) > timestep) ++file;
+  Frame frame;
+  DumpReader reader(*file);
+  long nearest = DumpReader::first_timestep(*file);
+  while (reader.next(frame)) {
+    if (frame.timestep == timestep) return frame;
+    if (frame.timestep < timestep) nearest = frame.timestep;
+  }
+  throw NoSuchFrame(*file + ": expected a frame of timestep " + std::to_string(timestep) +
+                    ", found timestep " + std::to_string(nearest));
+}
+
 }  // namespace rodpack

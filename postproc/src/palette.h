@@ -23,6 +23,18 @@ inline constexpr std::array<Rgb, 9> viridis{{{68, 1, 84},
                                              {170, 220, 50},
                                              {253, 231, 37}}};
 
+/// Sequential, from a light grey to dark red: for lines on a white background, where the weak ones
+/// should fade.
+inline constexpr std::array<Rgb, 9> embers{{{205, 200, 192},
+                                            {232, 192, 148},
+                                            {250, 178, 112},
+                                            {250, 141, 89},
+                                            {239, 101, 72},
+                                            {215, 48, 31},
+                                            {179, 0, 0},
+                                            {127, 0, 0},
+                                            {70, 0, 10}}};
+
 /// Cyclic ("twilight", shifted), for angles: both ends are the same colour, dark so that the flat
 /// majority keeps clear of the white background.
 inline constexpr std::array<Rgb, 9> twilight{{{47, 20, 54},

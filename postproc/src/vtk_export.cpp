@@ -29,6 +29,7 @@ constexpr VectorColumns vectors[] = {
     {"velocity_m_s", {"vx", "vy", "vz"}},
     {"angular_velocity_rad_s", {"omegax", "omegay", "omegaz"}},
     {"contact_force_N", {"fx", "fy", "fz"}},
+    {"contact_normal", {"nx", "ny", "nz"}},
 };
 
 const std::map<std::string, std::string>& units() {

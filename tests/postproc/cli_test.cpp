@@ -51,7 +51,7 @@ SyntheticPacking small_packing(double curvature = 0) {
 
 TEST(CommandLine, HelpTeachesWithAnExampleAndSucceeds) {
   EXPECT_EQ(rodpack_command("--help").exit_code, 0);
-  for (const std::string name : {"orientation", "rdf", "render", "export", "analyse"}) {
+  for (const std::string name : {"orientation", "rdf", "forces", "render", "export", "analyse"}) {
     const auto run = rodpack_command(name + " --help");
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_THAT(run.output, HasSubstr("Example"));
@@ -64,6 +64,8 @@ TEST(CommandLine, WrongUsageExitsWithTwo) {
   EXPECT_EQ(rodpack_command("stress").exit_code, 2);
   EXPECT_EQ(rodpack_command("rdf").exit_code, 2);
   EXPECT_EQ(rodpack_command("rdf a.dump --bin -1").exit_code, 2);
+  EXPECT_EQ(rodpack_command("forces a.dump --bin 0").exit_code, 2);
+  EXPECT_EQ(rodpack_command("forces a.dump --friction -0.3").exit_code, 2);
   EXPECT_EQ(rodpack_command("orientation a.dump --bins many").exit_code, 2);
   EXPECT_EQ(rodpack_command("render a.dump --colour pink").exit_code, 2);
   EXPECT_EQ(rodpack_command("render a.dump --window 1 0 0 1").exit_code, 2);
@@ -73,7 +75,7 @@ TEST(CommandLine, WrongUsageExitsWithTwo) {
 TEST(CommandLine, BadDataExitsWithOneAndOneLineAndWritesNothing) {
   const auto folder = fresh_folder();
   put(folder / "a.dump", "nonsense\n");
-  for (const std::string command : {"orientation", "rdf", "render", "export"}) {
+  for (const std::string command : {"orientation", "rdf", "forces", "render", "export"}) {
     const auto run = rodpack_command(command + " a.dump", folder);
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_EQ(run.output, "rodpack: a.dump:1: expected 'ITEM: TIMESTEP', found 'nonsense'\n");
@@ -176,6 +178,90 @@ TEST(Render, EveryColourHasItsBarWithUnit) {
   EXPECT_THAT(empty.output, HasSubstr("no sphere lies in the window x 5 ... 6 m, y 5 ... 6 m"));
 }
 
+TEST(Forces, WritesTablesAndFigures) {
+  const auto folder = fresh_folder();
+  const auto packing = small_packing();
+  packing.write_run(folder);
+  const auto run = rodpack_command(
+      "forces 'dumps/contacts.*.dump' --all-frames --bodies 'dumps/bodies.*.dump' -o f", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr(std::to_string(2 * packing.contact_count) + " contacts; left"));
+  EXPECT_THAT(run.output, HasSubstr("0 have no contact"));
+  const auto table = rodpack::test::read_table(folder / "f.csv");
+  EXPECT_NEAR(table.column("normal_density").back(), 4, 1e-9);  // all forces are equal
+  EXPECT_EQ(rodpack::test::read_table(folder / "f_friction.csv").rows(), 20U);
+  EXPECT_EQ(rodpack::test::read_table(folder / "f_coordination.csv")
+                .column("particles_with_touching_particles"),
+            (std::vector<double>{0, 0.4 * 2 * packing.body_count, 0.6 * 2 * packing.body_count}));
+  for (const std::string stem : {"f", "f_friction", "f_coordination", "f_chains"}) {
+    EXPECT_GT(png_size(folder / (stem + ".png")).width, 1000U) << stem;
+    EXPECT_THAT(content(folder / (stem + ".svg")), HasSubstr("</svg>")) << stem;
+  }
+  EXPECT_THAT(content(folder / "f_chains.svg"), HasSubstr("force between particles (µN)"));
+}
+
+TEST(Forces, WhatIsNotKnownIsLeftOutAndTheReportSaysSo) {
+  const auto folder = fresh_folder();
+  put(folder / "c.dump", small_packing().contacts_frame(7));
+  const auto run = rodpack_command("forces c.dump", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("mobilised friction is left out"));
+  EXPECT_THAT(run.output, HasSubstr("those without contact are missed: no --bodies"));
+  EXPECT_FALSE(fs::exists(folder / "forces_friction.csv"));
+  EXPECT_EQ(rodpack_command("forces c.dump --friction 0.5", folder).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "forces_friction.csv"));
+}
+
+TEST(Forces, AMissingColumnOfThePictureIsNamedBeforeAnythingIsWritten) {
+  const auto folder = fresh_folder();
+  auto text = small_packing().contacts_frame(7);
+  text.replace(text.find("bjy"), 3, "own");
+  put(folder / "c.dump", text);
+  const auto run = rodpack_command("forces c.dump", folder);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("c.dump:9: no column 'bjy'"));
+  EXPECT_FALSE(fs::exists(folder / "forces.csv"));
+}
+
+// The chains of a pair that touches across a periodic border are drawn at both.
+TEST(Forces, APeriodicPackingHasNoSideWalls) {
+  const auto folder = fresh_folder();
+  const std::string columns =
+      "body_i body_j sphere_i sphere_j wall x y z fx fy fz bix biy biz bjx bjy bjz nx ny nz";
+  const std::string row = "1 2 1 2 0 0 0.5 0 1e-3 0 0 0.05 0.5 0 -0.05 0.5 0 1 0 0\n";
+  const auto lines = [&](const std::string& flags) {
+    put(folder / "c.dump", rodpack::test::frame_head(1, 1, 1, 1, columns, flags) + row);
+    EXPECT_EQ(rodpack_command("forces c.dump", folder).exit_code, 0);
+    const auto text = content(folder / "forces_chains.svg");
+    int count = 0;
+    for (auto at = text.find("\"round\""); at != std::string::npos;
+         at = text.find("\"round\"", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(lines("ff ff pp"), 1);
+  EXPECT_EQ(lines("pp ff pp"), 2);
+}
+
+TEST(Forces, BodiesOfAnotherTimestepAndFramesWithoutContactsAreRefused) {
+  const auto folder = fresh_folder();
+  const auto packing = small_packing();
+  put(folder / "c.dump", packing.contacts_frame(7));
+  put(folder / "b.dump", packing.bodies_frame(5) + packing.bodies_frame(6));
+  EXPECT_EQ(rodpack_command("forces c.dump --bodies b.dump", folder).output,
+            "rodpack: b.dump: expected a frame of timestep 7, found timestep 6\n");
+  const auto head = rodpack::test::frame_head(
+      8, 0, 0.3, 2, "body_i body_j wall x y z fx fy fz bix biy biz bjx bjy bjz nx ny nz");
+  put(folder / "e.dump", head);
+  const auto run = rodpack_command("forces e.dump", folder);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.output, "rodpack: e.dump:9: no contacts in the frame of timestep 8\n");
+  EXPECT_EQ(rodpack_command("forces e.dump --all-frames", folder).output,
+            "rodpack: e.dump: no contacts in any frame\n");
+  EXPECT_THAT(rodpack_command("forces c.dump e.dump --all-frames", folder).output,
+              HasSubstr("frames without contacts, left out: 1"));
+}
+
 TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
   for (const double curvature : {0.0, 2.0}) {
     const auto run_folder = fresh_folder() / "run";
@@ -188,7 +274,8 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const auto out = run_folder / "analysis";
     for (const std::string stem :
-         {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing"}) {
+         {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
+          "forces", "forces_friction", "forces_coordination", "forces_chains"}) {
       EXPECT_GT(png_size(out / (stem + ".png")).width, 1000U) << stem;
       EXPECT_THAT(content(out / (stem + ".svg")), HasSubstr("</svg>")) << stem;
     }
@@ -204,6 +291,14 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
         summary["solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface"].get<double>(),
         phi, 0.01 * phi);
     EXPECT_TRUE(summary["rdf_centres"].get<int>() > 0);
+    // Each contact pushes with 1e-3 times d; five particles in a row make four pairs.
+    EXPECT_NEAR(summary["mean_normal_force_N"].get<double>(), 1e-3 * packing.shape.diameter, 1e-9);
+    EXPECT_EQ(summary["mean_tangential_force_N"], 0.0);
+    EXPECT_EQ(summary["mobilised_friction_mean"], 0.0);
+    EXPECT_EQ(summary["sliding_fraction"], 0.0);
+    EXPECT_NEAR(summary["coordination_number"].get<double>(), 1.6, 1e-12);
+    EXPECT_NEAR(summary["contacts_per_particle"].get<double>(), 1.6, 1e-12);
+    EXPECT_EQ(summary["rattlers"], 0);
     for (const std::string kind : {"bodies", "spheres", "contacts"}) {
       EXPECT_TRUE(fs::exists(out / "vtk" / (kind + ".2000.vtp")));
       EXPECT_FALSE(fs::exists(out / "vtk" / (kind + ".1000.vtp")));
@@ -273,6 +368,44 @@ TEST(Analyse, DumpsAfterTheEndOfTheRunDoNotCount) {
   const auto bad = rodpack_command(command);
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_THAT(bad.output, HasSubstr("result.json: expected a JSON object with a number 'step'"));
+}
+
+// Dumps of earlier versions have no normals, a run without gravity may have no contacts.
+TEST(Analyse, ContactsThatCannotBeMeasuredAreANote) {
+  const auto run_folder = fresh_folder() / "run";
+  const auto packing = small_packing();
+  packing.write_run(run_folder);
+  const auto dump = run_folder / "dumps" / "contacts.2000.dump";
+  const auto expect_note = [&](const std::string& text) {
+    const auto run = rodpack_command("analyse '" + run_folder.string() + "'");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("note: contacts: "));
+    EXPECT_THAT(run.output, HasSubstr(text));
+    EXPECT_FALSE(fs::exists(run_folder / "analysis" / "forces.csv"));
+    EXPECT_FALSE(fs::exists(run_folder / "analysis" / "forces_chains.png"));
+  };
+  const auto command = "analyse '" + run_folder.string() + "'";
+  ASSERT_EQ(rodpack_command(command).exit_code, 0);
+  ASSERT_TRUE(fs::exists(run_folder / "analysis" / "forces_chains.png"));
+  auto old = content(dump);
+  old.replace(old.find("nx ny nz"), 8, "nu nv nw");
+  put(dump, old);
+  expect_note("contacts.2000.dump:9: no column 'nx'");
+  put(dump, rodpack::test::frame_head(2000, 0, 0.3, 2,
+                                      "body_i body_j sphere_i sphere_j wall x y z fx fy fz bix biy "
+                                      "biz bjx bjy bjz overlap_n overlap_t nx ny nz"));
+  expect_note("no contacts in the frame of timestep 2000");
+  fs::remove(dump);
+  expect_note("expected a frame of timestep 2000, found timestep 1000");
+
+  auto bad = packing.contacts_frame(2000);
+  bad.replace(bad.rfind(" 0\n"), 3, " x\n");
+  put(dump, bad);
+  const auto summary = content(run_folder / "analysis" / "summary.json");
+  const auto run = rodpack_command(command);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("column 'nz': expected a finite number, found 'x'"));
+  EXPECT_EQ(content(run_folder / "analysis" / "summary.json"), summary) << "was overwritten";
 }
 
 TEST(Analyse, ABedOfSpheresLeavesOrientationOutAndSaysSo) {

@@ -87,7 +87,8 @@ struct SyntheticPacking {
             contact_rows << body_count << ' ' << body_count - 1 << ' ' << first << ' '
                          << first - local.size() << " 0 " << x + dx / 2 << ' ' << y + dy / 2
                          << " 0 " << -1e-3 * dx << ' ' << -1e-3 * dy << " 0 " << x << ' ' << y
-                         << " 0 " << x + dx << ' ' << y + dy << " 0 1e-6 2e-7\n";
+                         << " 0 " << x + dx << ' ' << y + dy << " 0 1e-6 2e-7 " << -s << ' ' << c
+                         << " 0\n";
           }
         }
       }
@@ -109,7 +110,7 @@ struct SyntheticPacking {
   std::string contacts_frame(long timestep) const {
     return frame_head(timestep, contact_count, width, 2,
                       "body_i body_j sphere_i sphere_j wall x y z fx fy fz bix biy biz bjx bjy bjz "
-                      "overlap_n overlap_t") +
+                      "overlap_n overlap_t nx ny nz") +
            contacts;
   }
 
@@ -118,7 +119,8 @@ struct SyntheticPacking {
     std::ostringstream parameters, energies;
     parameters << "{\"format\": \"rodpack-run 1\", \"aspect_ratio\": " << shape.aspect_ratio
                << ", \"particle_diameter_m\": " << shape.nominal_diameter
-               << ", \"container_width_m\": " << width << ", \"timestep_s\": 1.1e-5}\n";
+               << ", \"container_width_m\": " << width
+               << ", \"timestep_s\": 1.1e-5, \"friction\": 0.3}\n";
     put(folder / "parameters.json", parameters.str());
     energies << "step,time_s,particles,kinetic_translational_J,kinetic_rotational_J,"
                 "elastic_normal_J,elastic_tangential_J,kinetic_over_elastic\n";

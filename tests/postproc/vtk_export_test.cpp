@@ -77,13 +77,15 @@ TEST_F(VtkExport, ContactsAreLinesBetweenTheBranchEnds) {
   ASSERT_EQ(data->GetNumberOfLines(), static_cast<vtkIdType>(packing.contact_count));
   auto* force = data->GetCellData()->GetArray("contact_force_N");
   auto* point = data->GetCellData()->GetArray("contact_point_m");
-  ASSERT_TRUE(force && point && data->GetCellData()->GetArray("overlap_n_m"));
+  auto* normal = data->GetCellData()->GetArray("contact_normal");
+  ASSERT_TRUE(force && point && normal && data->GetCellData()->GetArray("overlap_n_m"));
   const vtkIdType last = data->GetNumberOfLines() - 1;
   vtkCell* line = data->GetCell(last);
   EXPECT_EQ(line->GetPoints()->GetPoint(0)[0], frame.column("bix").back());
   EXPECT_EQ(line->GetPoints()->GetPoint(1)[1], frame.column("bjy").back());
   EXPECT_EQ(force->GetComponent(last, 0), frame.column("fx").back());
   EXPECT_EQ(point->GetComponent(last, 1), frame.column("y").back());
+  EXPECT_EQ(normal->GetComponent(last, 1), frame.column("ny").back());
 }
 
 TEST_F(VtkExport, TimeIndexListsFramesInOrderOfTime) {

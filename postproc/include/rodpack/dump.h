@@ -25,6 +25,12 @@ class TooFewParticles : public DataError {
   using DataError::DataError;
 };
 
+/// The dumps hold no frame of the timestep asked for.
+class NoSuchFrame : public DataError {
+ public:
+  using DataError::DataError;
+};
+
 /// One frame of a LIGGGHTS text dump (`ITEM: ATOMS` or `ITEM: ENTRIES`), stored by column.
 struct Frame {
   struct BadField {  // first field of a column that is not a finite number
@@ -81,6 +87,10 @@ void for_each_frame(const std::vector<std::string>& files,
 
 /// Last frame of the last file.
 Frame last_frame(const std::vector<std::string>& files);
+
+/// Frame of the given timestep; `files` as find_dumps() orders them. @throws NoSuchFrame naming the
+/// closest timestep before it, or the first one.
+Frame frame_at(const std::vector<std::string>& files, long timestep);
 
 }  // namespace rodpack
 

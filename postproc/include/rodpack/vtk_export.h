@@ -14,8 +14,8 @@ namespace rodpack {
 ///  - spheres: one vertex per primary sphere (glyph with `radius_m`);
 ///  - contacts: one line per contact, from centre of mass to centre of mass (wall: contact point).
 /// Three columns that form a vector become one array with the unit in its name: `velocity_m_s`,
-/// `angular_velocity_rad_s`, `contact_force_N`; known scalars get their unit appended
-/// (`radius_m`, `overlap_n_m`, `area_m2`, ...); every other column keeps its name.
+/// `angular_velocity_rad_s`, `contact_force_N`, `contact_normal`; known scalars get their unit
+/// appended (`radius_m`, `overlap_n_m`, `area_m2`, ...); every other column keeps its name.
 enum class DumpKind { bodies, spheres, contacts };
 
 /// Kind of a frame, told by its columns. @throws DataError when they fit none.

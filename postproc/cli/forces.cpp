@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/contact_forces.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "rodpack/force_chains.h"
+#include "rodpack/render.h"
+#include "rodpack/text.h"
+
+namespace rodpack::cli {
+namespace {
+
+void report(const ContactForces& forces, std::ostream& out) {
+  out << forces.carrying << " contacts; left out: " << forces.not_carrying
+      << " without normal force, " << forces.at_walls << " with walls\n"
+      << "mean normal force " << number_text(forces.normal.mean, 4) << " N, tangential "
+      << number_text(forces.tangential.mean, 4) << " N\n";
+  if (const auto& friction = forces.friction)
+    out << "mobilised friction: mean " << number_text(friction->mean, 4) << ", sliding "
+        << number_text(friction->sliding_fraction, 4)
+        << " of the contacts; mu = " << number_text(friction->coefficient, 4) << '\n';
+  else
+    out << "mobilised friction is left out: no --friction, nor a positive one in parameters.json\n";
+  const auto& coordination = forces.coordination;
+  out << coordination.particles << " particles touch "
+      << number_text(coordination.touching_particles, 4) << " others each, with "
+      << number_text(coordination.contacts, 4) << " sphere contacts; ";
+  if (coordination.rattlers)
+    out << *coordination.rattlers << " have no contact\n";
+  else
+    out << "those without contact are missed: no --bodies\n";
+}
+
+}  // namespace
+
+void add_forces(CLI::App& app) {
+  struct Options {
+    Input input;
+    std::vector<std::string> bodies;
+    ContactForceOptions forces;
+    std::string stem = "forces";
+  };
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "forces",
+      "Contact forces: distributions of the normal and the tangential force over their means, "
+      "mobilised friction f_t / (mu f_n), numbers of contacts per particle, and a picture of the "
+      "force chains (last frame), a line per touching pair. Contacts with walls are left out but "
+      "in the picture.");
+  command->footer(
+      "Example:\n"
+      "  rodpack forces 'results/quick/dumps/contacts.*.dump' \\\n"
+      "      --bodies 'results/quick/dumps/bodies.*.dump'\n"
+      "writes forces.csv, forces_friction.csv, forces_coordination.csv, the figures of the same\n"
+      "names and forces_chains, each .png/.svg.");
+  add_files(*command, options->input, "contacts");
+  add_all_frames(*command, options->input);
+  command
+      ->add_option("--bodies", options->bodies,
+                   "dump files of bodies with the same timesteps, to know the particles without "
+                   "contact; a quoted wildcard is fine")
+      ->type_name("FILE");
+  command->add_option("--bin", options->forces.bin_width, "width of a bin, in mean forces")
+      ->check(CLI::Range(1e-3, 10.0))
+      ->capture_default_str()
+      ->type_name("DF");
+  command
+      ->add_option("--friction", options->forces.friction,
+                   "friction coefficient mu [default: parameters.json; unknown: no mobilised "
+                   "friction]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("MU");
+  command->add_flag("--walls-too", options->forces.walls_too,
+                    "contacts with walls count too, but not as touching particles");
+  add_packing_options(*command, options->input);
+  add_output(*command, options->stem);
+
+  command->callback([options] {
+    const auto& input = options->input;
+    auto packing = input.packing;
+    const auto files = find_dumps(input.patterns);
+    std::vector<std::string> body_files;
+    if (!options->bodies.empty()) body_files = find_dumps(options->bodies);
+    auto settings = options->forces;
+    settings.friction = find_friction(files.back(), input.packing.parameters, settings.friction);
+    ContactForceSample sample(settings);
+    Frame last;
+    std::size_t empty = 0;
+    input.for_frames([&](const Frame& frame) {
+      if (input.all_frames && frame.rows == 0) {  // as at the start of a deposition
+        ++empty;
+        return;
+      }
+      std::optional<Frame> bodies;
+      if (!body_files.empty()) bodies = frame_at(body_files, frame.timestep);
+      sample.add(frame, bodies ? &*bodies : nullptr);
+      if (bodies) packing.particle_diameter = sphere_diameter(*bodies, packing);
+      last = frame;
+    });
+    if (last.rows == 0) throw DataError(files.back() + ": no contacts in any frame");
+    const auto forces = sample.result();
+    force_lines(last);  // bad columns show before anything is written
+    const auto& stem = options->stem;
+    write_contact_force_tables(forces, stem);
+    plot_contact_forces(forces, stem);
+    draw_force_chains(last, packing, stem + "_chains");
+    report(forces, std::cout);
+    if (empty > 0) std::cout << "frames without contacts, left out: " << empty << '\n';
+    std::cout << "written: " << stem << ".csv .png .svg, ";
+    if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
+    std::cout << stem << "_coordination.csv .png .svg, " << stem << "_chains.png .svg\n";
+  });
+}
+
+}  // namespace rodpack::cli
