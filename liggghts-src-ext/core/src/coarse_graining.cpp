@@ -238,7 +238,8 @@ void CoarseGraining::spread_line(const Interaction& interaction, const Vector& f
   double length_squared = 0;
   for (std::size_t d = 0; d < D; ++d) length_squared += r[d] * r[d];
   const auto nodes =
-      line_nodes(options_.line, kernel_.shape(), std::sqrt(length_squared) / kernel_.scale());
+      line_nodes(options_.line, kernel_.shape(), std::sqrt(length_squared) / kernel_.scale(),
+                 options_.couple_stress ? 1 : 0);
   double weighted[18];
   for (const LineNode& node : nodes) {
     Vector centre = from;

@@ -40,7 +40,7 @@ LineRule LineRule::named(const std::string& name, double tolerance) {
     throw std::invalid_argument("tolerance is " + std::to_string(tolerance) +
                                 ", expected a number between 0 and 1");
   LineRule rule;
-  rule.tolerance = tolerance;
+  rule.tolerance = 10 * tolerance;
   if (name == "auto") return rule;
   if (name == "exact")
     rule.points = exact;
@@ -62,14 +62,16 @@ double gauss_legendre_error(int points, double length) {
          ((2 * points + 1) * std::pow(factorial_2n, 3));
 }
 
-std::vector<LineNode> line_nodes(const LineRule& rule, KernelShape shape, double length) {
+std::vector<LineNode> line_nodes(const LineRule& rule, KernelShape shape, double length,
+                                 int degree) {
   if (rule.points > 0) return gauss_legendre(rule.points);
   if (rule.points == LineRule::exact || shape != KernelShape::gaussian) return {};
-  for (int points = 1; points <= most_points; ++points)
-    if (gauss_legendre_error(points, length) <= rule.tolerance) return gauss_legendre(points);
+  for (int points = 1; points + degree <= most_points; ++points)
+    if (gauss_legendre_error(points, length) <= rule.tolerance)
+      return gauss_legendre(points + degree);
   // Pieces that are short enough for the most points.
-  const double longest =
-      std::pow(rule.tolerance / gauss_legendre_error(most_points, 1), 0.5 / most_points);
+  const int points = most_points - degree;
+  const double longest = std::pow(rule.tolerance / gauss_legendre_error(points, 1), 0.5 / points);
   const int pieces = static_cast<int>(std::ceil(length / longest));
   std::vector<LineNode> nodes;
   for (int piece = 0; piece < pieces; ++piece)

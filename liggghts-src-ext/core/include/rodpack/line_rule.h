@@ -21,9 +21,11 @@ struct LineRule {
   static constexpr int automatic = -1;
 
   int points = automatic;
-  double tolerance = 1e-6;
+  double tolerance = 1e-5;
 
-  /// "auto", "exact", "1" ... "4". @throws std::invalid_argument for another name.
+  /// "auto", "exact", "1" ... "4"; `tolerance` is that of the fields. One branch may err ten times
+  /// as much: its error is a derivative of the kernel, and those of many branches cancel (measured
+  /// in doc/coarse_graining_accuracy.md). @throws std::invalid_argument for another name.
   static LineRule named(const std::string& name, double tolerance);
 };
 
@@ -38,7 +40,10 @@ struct LineNode {
 double gauss_legendre_error(int points, double length);
 
 /// Nodes for a branch of `length` in units of the kernel's scale; empty: use the closed form.
-std::vector<LineNode> line_nodes(const LineRule& rule, KernelShape shape, double length);
+/// `degree` of the polynomial in s that stands beside the kernel, 0 or 1: an automatic rule takes
+/// so many points more.
+std::vector<LineNode> line_nodes(const LineRule& rule, KernelShape shape, double length,
+                                 int degree = 0);
 
 }  // namespace rodpack
 
