@@ -15,6 +15,9 @@ void add_orientation(CLI::App& app);
 void add_rdf(CLI::App& app);
 void add_forces(CLI::App& app);
 void add_render(CLI::App& app);
+void add_stress(CLI::App& app);
+void add_solid_fraction(CLI::App& app);
+void add_profile(CLI::App& app);
 void add_export(CLI::App& app);
 void add_analyse(CLI::App& app);
 

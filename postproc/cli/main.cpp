@@ -21,6 +21,9 @@ int main(int argc, char** argv) {
   cli::add_rdf(app);
   cli::add_forces(app);
   cli::add_render(app);
+  cli::add_stress(app);
+  cli::add_solid_fraction(app);
+  cli::add_profile(app);
   cli::add_export(app);
 
   try {

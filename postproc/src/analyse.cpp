@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "rodpack/contact_forces.h"
+#include "rodpack/fields.h"
 #include "rodpack/figure.h"
 #include "rodpack/force_chains.h"
 #include "rodpack/orientation.h"
+#include "rodpack/pressure_profile.h"
 #include "rodpack/rdf.h"
 #include "rodpack/render.h"
 #include "rodpack/solid_fraction.h"
@@ -174,6 +176,46 @@ void analyse_contacts(const Contacts& contacts, const PackingOptions& options, c
   summary["rattlers"] = *forces.coordination.rattlers;
 }
 
+// Maps of the fields and the profile of the pressure; without contacts the densities alone.
+void analyse_fields(const Packing& packing, const Frame& bodies, const Frame* contacts, double time,
+                    const fs::path& out, Json& summary) {
+  FieldSample sample({});
+  sample.add(packing, bodies, contacts);
+  const auto fields = sample.fields();
+  write_fields(sample.averages(), fields, time, (out / "fields").string());
+  plot_solid_fraction_map(sample.averages(), fields, packing,
+                          (out / "solid_fraction_map").string());
+  if (!contacts) return;
+  plot_pressure_map(sample.averages(), fields, packing, (out / "pressure_map").string());
+
+  ProfileSample slice({});
+  slice.add(packing, bodies, *contacts);
+  const auto profile = slice.result();
+  write_profile_table(profile, (out / "profile").string() + ".csv");
+  std::optional<JanssenFit> fit;
+  try {
+    fit = fit_janssen(profile);
+    if (!fit->saturates)
+      summary["notes"].push_back("Janssen fit: " + describe(*fit, packing.particle_diameter));
+  } catch (const TooFewParticles& reason) {
+    summary["notes"].push_back(reason.what());
+  }
+  plot_profile(profile, fit ? &*fit : nullptr, (out / "profile").string());
+  const bool saturates = fit && fit->saturates;
+  const auto set = [&](const char* key, double JanssenFit::*value, double unit) {
+    if (saturates)
+      summary[key] = (*fit).*value / unit;
+    else
+      summary[key] = nullptr;
+  };
+  const double d = packing.particle_diameter;
+  set("janssen_pressure_N_m", &JanssenFit::pressure, 1);
+  set("janssen_pressure_standard_error_N_m", &JanssenFit::pressure_error, 1);
+  set("janssen_depth_over_dp", &JanssenFit::depth, d);
+  set("janssen_depth_standard_error_over_dp", &JanssenFit::depth_error, d);
+  set("janssen_rms_residual_N_m", &JanssenFit::rms_residual, 1);
+}
+
 // Rows of energies.csv, without those that a run resumed from a restart has computed anew.
 struct Energies {
   std::vector<double> time, kinetic, elastic;  // s, J, J
@@ -237,12 +279,14 @@ namespace {
 void remove_own_outputs(const fs::path& out) {
   std::error_code ignored;
   fs::remove(out / "summary.json", ignored);
-  for (const std::string table :
-       {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination"})
+  fs::remove(out / "fields.vti", ignored);
+  for (const std::string table : {"orientation", "rdf", "solid_fraction", "forces",
+                                  "forces_friction", "forces_coordination", "fields", "profile"})
     fs::remove(out / (table + ".csv"), ignored);
   for (const std::string figure :
        {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
-        "forces", "forces_friction", "forces_coordination", "forces_chains"})
+        "forces", "forces_friction", "forces_coordination", "forces_chains", "solid_fraction_map",
+        "pressure_map", "profile"})
     for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
   for (const std::string kind : {"bodies", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
@@ -295,6 +339,9 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
     }
   options.particle_diameter = packing.particle_diameter;
   analyse_contacts(contacts, options, out, summary);
+  const bool stressed = contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep;
+  analyse_fields(packing, bodies, stressed ? &contacts.frame : nullptr,
+                 static_cast<double>(packing.timestep) * (dt > 0 ? dt : 1), out, summary);
   analyse_energies(run, out, summary);
 
   RenderOptions render;
