@@ -43,7 +43,7 @@ void plot_map(const Grid& grid, const std::vector<double>& values, double lowest
                   label + "'\nset cbrange [" + number_text(lowest) + ":*]\nset xrange [" +
                   number_text(x.front() - half_x) + ":" + number_text(x.back() + half_x) +
                   "]\nset yrange [" + number_text(y.front() - half_y) + ":" +
-                  number_text(y.back() + half_y) + "]\nplot $map using 1:2:3 with image pixels" +
+                  number_text(y.back() + half_y) + "]\nplot $map using 1:2:3 with image" +
                   over + "\n");
 }
 

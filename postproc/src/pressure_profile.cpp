@@ -108,14 +108,14 @@ void plot_profile(const PressureProfile& profile, const JanssenFit* fit, const s
     law = ", [" + number_text(fit->from / d) + ":" + number_text(fit->to / d) + "] " +
           number_text(fit->pressure * unit.factor) + "*(1-exp(-x/" + number_text(fit->depth / d) +
           ")) with lines dashtype 2 linewidth 1.4 linecolor '#000000' title '" +
-          (fit->saturates ? "Janssen" : "Janssen, not saturating") + "'";
+          (fit->saturates ? "Janssen" : "Janssen (not saturating)") + "'";
   draw_figure(stem, 1.4,
               datablock("p", {depth, pressure, vertical, horizontal}) +
                   "set xlabel 'depth {/:Italic h} / {/:Italic d}_p'\n"
                   "set ylabel 'stress (" +
                   unit.name +
                   ")'\n"
-                  "set key outside top center horizontal\nset autoscale xfix\nset yrange [0:*]\n"
+                  "set key top left Left reverse\nset autoscale xfix\nset yrange [0:*]\n"
                   "set samples 300\n"
                   "plot $p using 1:2 with lines linewidth 1.8 linecolor '" +
                   colour::blue +
