@@ -51,7 +51,7 @@ SyntheticPacking small_packing(double curvature = 0) {
 
 TEST(CommandLine, HelpTeachesWithAnExampleAndSucceeds) {
   EXPECT_EQ(rodpack_command("--help").exit_code, 0);
-  for (const std::string name : {"orientation", "rdf", "forces", "render", "export", "analyse"}) {
+  for (const std::string name : {"orientation", "rdf", "forces", "render", "stress", "solid-fraction", "profile", "export", "analyse"}) {
     const auto run = rodpack_command(name + " --help");
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_THAT(run.output, HasSubstr("Example"));
