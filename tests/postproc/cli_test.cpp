@@ -51,7 +51,8 @@ SyntheticPacking small_packing(double curvature = 0) {
 
 TEST(CommandLine, HelpTeachesWithAnExampleAndSucceeds) {
   EXPECT_EQ(rodpack_command("--help").exit_code, 0);
-  for (const std::string name : {"orientation", "rdf", "forces", "render", "stress", "solid-fraction", "profile", "export", "analyse"}) {
+  for (const std::string name : {"orientation", "rdf", "forces", "render", "stress",
+                                 "solid-fraction", "profile", "export", "analyse"}) {
     const auto run = rodpack_command(name + " --help");
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_THAT(run.output, HasSubstr("Example"));
@@ -343,8 +344,8 @@ TEST(Analyse, RowsThatAResumedRunComputedAgainReplaceTheEarlierOnes) {
   EXPECT_EQ(nlohmann::json::parse(content(out / "summary.json")), summary) << "was overwritten";
 }
 
-// A run resumed from step 1000 that came to rest at step 1500 leaves the dumps of step 2000, which the
-// interrupted run had reached, behind.
+// A run resumed from step 1000 that came to rest at step 1500 leaves the dumps of step 2000, which
+// the interrupted run had reached, behind.
 TEST(Analyse, DumpsAfterTheEndOfTheRunDoNotCount) {
   const auto run_folder = fresh_folder() / "run";
   small_packing().write_run(run_folder);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The post-processor on what runs left: the same fields as in the run, and Janssen's law.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "liggghts_run.h"
+
+using namespace rodpack::test;
+
+namespace {
+
+auto postprocess(const std::string& arguments, const std::filesystem::path& folder) {
+  return run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
+}
+
+std::string last_bodies(const std::filesystem::path& dumps) {
+  long last = -1;
+  for (const auto& entry : std::filesystem::directory_iterator(dumps)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("bodies.", 0) == 0) last = std::max(last, std::stol(name.substr(7)));
+  }
+  return (dumps / ("bodies." + std::to_string(last) + ".dump")).string();
+}
+
+}  // namespace
+
+// Dumps hold 16 digits, the tables 15.
+TEST(StressInTheRunAndAfterIt, AgreeToTheDumpsPrecision) {
+  for (const std::string periodic : {"0", "1"}) {
+    const auto run = run_liggghts("verification/stress/in.stress",
+                                  {{"steps", "40000"}, {"every", "40000"}, {"periodic", periodic}});
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const auto post = postprocess(
+        "stress bodies.40000.dump --couple --scale 0.006 --spacing 0.0015 "
+        "--tolerance 1e-12 --window -0.045 0.105 -0.045 0.105 --walls 0 0.06 0",
+        run.folder);
+    ASSERT_EQ(post.exit_code, 0) << post.output;
+    const Table during = read_table(run.folder / "fields.40000.csv");
+    const Table after = read_table(run.folder / "stress.csv");
+    ASSERT_EQ(during.names(), after.names());
+    ASSERT_EQ(during.rows(), after.rows());
+    for (const auto& name : during.names()) {
+      // Where there is next to no mass, velocity and coordination are ratios of rounding errors.
+      const bool ratio = name.rfind("velocity", 0) == 0 || name.rfind("co", 0) == 0;
+      const auto& density = during.column("mass_density_kg_m2");
+      const auto& a = during.column(name);
+      const auto& b = after.column(name);
+      double scale = 0, worst = 0;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        if (ratio && name.find("stress") == std::string::npos && density[i] < 1e-3) continue;
+        scale = std::max(scale, std::fabs(a[i]));
+        worst = std::max(worst, std::fabs(a[i] - b[i]));
+      }
+      EXPECT_LE(worst, 1e-11 * scale) << name;
+    }
+  }
+}
+
+// A narrow column of spheres, 100 d_p high and 4 d_p wide: friction at the walls carries what is
+// added above, the pressure saturates. h_c = W / (2 mu_w K) with the mobilised mu_w <= mu = 0.5 and
+// K < 1 is above 4 d_p; that it is below half the height makes it a Janssen column.
+TEST(StressInTheRunAndAfterIt, SpheresInANarrowColumnFollowJanssen) {
+  const auto run = run_liggghts("deposition/in.deposition", {{"aspect_ratio", "1"},
+                                                             {"particles", "400"},
+                                                             {"width_in_lengths", "4"},
+                                                             {"particles_per_line", "3"},
+                                                             {"container_height", "0.45"},
+                                                             {"line_fall", "0.008"},
+                                                             {"timestep", "2e-5"},
+                                                             {"friction", "0.5"},
+                                                             {"out", "run"}});
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto post =
+      postprocess("profile '" + last_bodies(run.folder / "run/dumps") + "'", run.folder);
+  ASSERT_EQ(post.exit_code, 0) << post.output;
+  EXPECT_THAT(post.output, testing::HasSubstr("Janssen: P_j = ")) << post.output;
+  EXPECT_THAT(post.output, testing::HasSubstr("rms residual"));
+  const auto at = post.output.find("h_c = ");
+  ASSERT_NE(at, std::string::npos);
+  const double depth = std::stod(post.output.substr(at + 6));
+  EXPECT_GT(depth, 4);
+  EXPECT_LT(depth, 50);
+
+  // Monotone up to where the fluctuations of a column four spheres wide set in, then saturating:
+  // the lower half gains less than a third of what the upper half does.
+  const Table profile = read_table(run.folder / "profile.csv");
+  const auto& h = profile.column("h_over_dp");
+  const auto& pressure = profile.column("pressure_N_m");
+  const auto near = [&](double wanted) {
+    std::size_t best = 0;
+    for (std::size_t k = 0; k < h.size(); ++k)
+      if (std::fabs(h[k] - wanted) < std::fabs(h[best] - wanted)) best = k;
+    return pressure[best];
+  };
+  double last = 0;
+  for (const double wanted : {5.0, 10.0, 15.0, 20.0, 25.0, 30.0}) {
+    EXPECT_GT(near(wanted), last);
+    last = near(wanted);
+  }
+  EXPECT_LT(near(85) - near(45), (near(45) - near(5)) / 3);
+}
