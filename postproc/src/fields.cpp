@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "rodpack/field_image.h"
 #include "rodpack/text.h"
@@ -75,35 +76,43 @@ CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptio
   return averaging;
 }
 
-void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts) {
+std::vector<Particle> read_particles(const Frame& bodies, const std::vector<TouchingPair>& pairs) {
+  std::unordered_map<long, Touching> touching;
+  for (const auto& pair : pairs)
+    for (const long body : {pair.i, pair.j}) {
+      ++touching[body].particles;
+      touching[body].contacts += pair.contacts;
+    }
   const auto& id = bodies.column("id");
-  std::unordered_map<long, Touching> touching;  // those that are in the bodies dump
-  for (const double each : id) touching[static_cast<long>(each)] = {};
+  const auto& area = bodies.column("area");
+  const auto& mass = bodies.column("mass");
+  std::vector<Particle> particles;
+  for (std::size_t row = 0; row < bodies.rows; ++row)
+    particles.push_back({vector_at(bodies, {"x", "y", "z"}, row),
+                         vector_at(bodies, {"vx", "vy", "vz"}, row), mass[row], area[row],
+                         touching[static_cast<long>(id[row])]});
+  return particles;
+}
+
+void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts) {
+  ContactPairs pairs;
   if (contacts) {
     if (contacts->timestep != bodies.timestep)
       throw DataError(where(*contacts) + ": contacts of timestep " +
                       std::to_string(contacts->timestep) + ", expected " +
                       std::to_string(bodies.timestep) + " as in " + bodies.file);
     const auto read = read_contacts(*contacts);
+    std::unordered_set<long> known;
+    for (const double id : bodies.column("id")) known.insert(static_cast<long>(id));
     for (const auto& contact : read)
       for (const long body : {contact.i, contact.wall ? contact.i : contact.j})
-        if (!touching.count(body))
+        if (!known.count(body))
           throw DataError(where(*contacts) + ": particle " + std::to_string(body) +
                           " of a contact is not in " + bodies.file);
-    const auto pairs = sum_pairs(read);
-    for (const auto& interaction : pairs.interactions) averages.add(interaction);
-    for (const auto& pair : pairs.pairs)
-      for (const long body : {pair.i, pair.j}) {
-        ++touching[body].particles;
-        touching[body].contacts += pair.contacts;
-      }
+    pairs = sum_pairs(read);
   }
-  const auto& area = bodies.column("area");
-  const auto& mass = bodies.column("mass");
-  for (std::size_t row = 0; row < bodies.rows; ++row)
-    averages.add(Particle{vector_at(bodies, {"x", "y", "z"}, row),
-                          vector_at(bodies, {"vx", "vy", "vz"}, row), mass[row], area[row],
-                          touching[static_cast<long>(id[row])]});
+  for (const auto& interaction : pairs.interactions) averages.add(interaction);
+  for (const auto& particle : read_particles(bodies, pairs.pairs)) averages.add(particle);
 }
 
 void FieldSample::add(const Packing& packing, const Frame& bodies, const Frame* contacts) {

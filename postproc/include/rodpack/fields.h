@@ -30,12 +30,15 @@ double averaging_scale(const Packing& packing, const FieldOptions& options);
 /// @throws DataError when a column is missing.
 std::vector<Contact> read_contacts(const Frame& contacts);
 
+/// Rows of a bodies dump (id x y z vx vy vz area mass); how many others each touches from `pairs`.
+std::vector<Particle> read_particles(const Frame& bodies, const std::vector<TouchingPair>& pairs);
+
 /// Kernel, line rule and periods for a two-dimensional packing.
 AveragingKernel averaging_kernel(const Packing& packing, const FieldOptions& options);
 CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptions& options);
 
-/// Adds the particles of a bodies frame (id x y z vx vy vz area mass) and, unless null, the
-/// contacts of the same timestep to the sums.
+/// Adds the particles of a bodies frame and, unless null, the contacts of the same timestep to the
+/// sums.
 /// @throws DataError when a column is missing, the timesteps differ, or a contact names a particle
 /// that is not among the bodies.
 void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts);
