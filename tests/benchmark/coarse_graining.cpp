@@ -137,12 +137,16 @@ struct Result {
 
 // Error of the contact stress against time: lines of methods at all cut-offs.
 void draw(const std::vector<Result>& results, const std::string& stem) {
-  const std::vector<std::pair<std::string, std::string>> lines{
-      {"1", "1 point"},  {"2", "2 points"}, {"3", "3 points"},
-      {"4", "4 points"}, {"auto", "auto"},  {"exact", "closed form"}};
+  struct Line {
+    std::string rule, title, colour;
+  };
+  const std::vector<Line> lines{
+      {"1", "1 point", "#56B4E9"},         {"2", "2 points", "#009E73"},
+      {"3", "3 points", colour::blue},     {"4", "4 points", "#CC79A7"},
+      {"exact", "closed form", "#000000"}, {"auto", "auto", colour::vermilion}};
   std::string data, plot = "plot ";
   int number = 0;
-  for (const auto& [line, title] : lines) {
+  for (const auto& [line, title, colour] : lines) {
     std::vector<double> seconds, error;
     for (const Result& result : results)
       if (result.method.line == line && result.method.spacing == 0.25 && !result.method.couple) {
@@ -152,8 +156,8 @@ void draw(const std::vector<Result>& results, const std::string& stem) {
     const std::string block = "m" + std::to_string(++number);
     data += datablock(block, {seconds, error});
     plot += (number > 1 ? ", $" : "$") + block + " using 1:2 with linespoints pointtype " +
-            std::to_string(number) + " linewidth 1.4 linecolor " + std::to_string(number) +
-            " title '" + title + "'";
+            std::to_string(number) + " linewidth 1.4 linecolor '" + colour + "' title '" + title +
+            "'";
   }
   draw_figure(stem, 1.4,
               data +
