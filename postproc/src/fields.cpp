@@ -44,7 +44,8 @@ Grid field_grid(const Packing& packing, const FieldOptions& options) {
 }  // namespace
 
 double averaging_scale(const Packing& packing, const FieldOptions& options) {
-  const double scale = options.scale.value_or(3 * packing.axial_length());
+  const double diameters = options.scale_in_diameters.value_or(3 * packing.aspect_ratio);
+  const double scale = options.scale.value_or(diameters * packing.particle_diameter);
   if (!(scale > 0)) throw DataError("scale: expected a length > 0, found " + number_text(scale));
   return scale;
 }

@@ -14,7 +14,8 @@
 namespace rodpack {
 
 struct FieldOptions {
-  std::optional<double> scale;                  // w, m; none: 3 AR d_p
+  std::optional<double> scale;                  // w, m; none: see the next
+  std::optional<double> scale_in_diameters;     // w / d_p; none: 3 AR
   std::optional<double> spacing;                // of the grid, m; none: w/4
   std::optional<std::array<double, 4>> window;  // xlo, xhi, ylo, yhi of the grid, m; none: the bed
   std::string kernel = "gaussian";

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "field_input.h"
+
+#include <filesystem>
+
+#include "rodpack/text.h"
+
+namespace rodpack::cli {
+namespace {
+
+std::string contacts_beside(const std::string& bodies) {
+  const std::filesystem::path path(bodies);
+  auto name = path.filename().string();
+  const auto at = name.find("bodies");
+  if (at == std::string::npos)
+    throw DataError(bodies + ": no 'bodies' in the name, give the contacts with --contacts");
+  return (path.parent_path() / name.replace(at, 6, "contacts")).string();
+}
+
+double time_of(const Frame& frame, const PackingOptions& options) {
+  const auto parameters = find_parameters(frame.file, options.parameters);
+  const bool known = parameters && parameters->values.contains("timestep_s");
+  return static_cast<double>(frame.timestep) * (known ? parameters->number("timestep_s") : 1.0);
+}
+
+// The fields' options, with the window of the command line.
+FieldOptions checked(const FieldInput& options) {
+  auto fields = options.fields;
+  const auto& w = options.window;
+  if (w.empty()) return fields;
+  if (!(w[1] > w[0] && w[3] > w[2]))
+    throw CLI::ValidationError("--window", "expected XLO < XHI and YLO < YHI");
+  fields.window = {w[0], w[1], w[2], w[3]};
+  return fields;
+}
+
+}  // namespace
+
+void add_kernel_options(CLI::App& command, FieldInput& options) {
+  auto& fields = options.fields;
+  auto* metres =
+      command
+          .add_option("--scale", fields.scale, "scale w of the averaging, m [default: 3 AR d_p]")
+          ->check(CLI::PositiveNumber)
+          ->type_name("M");
+  command.add_option("--scale-in-dp", fields.scale_in_diameters, "the same in d_p")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N")
+      ->excludes(metres);
+  command.add_option("--kernel", fields.kernel, "gaussian, lucy or heaviside")
+      ->check(CLI::IsMember({"gaussian", "lucy", "heaviside"}))
+      ->capture_default_str();
+  command
+      .add_option("--tolerance", fields.tolerance,
+                  "relative error allowed: cut-off of the Gaussian and points along a branch")
+      ->check(CLI::Range(1e-15, 0.1))
+      ->capture_default_str();
+  command.add_option("--spacing", fields.spacing, "of the grid, m [default: w/4]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("M");
+}
+
+void add_contact_options(CLI::App& command, FieldInput& options) {
+  command
+      .add_option("--contacts", options.contacts,
+                  "dump files of the contacts of the same timesteps [default: the bodies' names "
+                  "with 'contacts' for 'bodies']")
+      ->type_name("FILE");
+  command
+      .add_option("--line", options.fields.line,
+                  "integral along a branch vector: auto, exact, or 1 to 4 Gauss-Legendre points")
+      ->check(CLI::IsMember({"auto", "exact", "1", "2", "3", "4"}))
+      ->capture_default_str();
+}
+
+void add_window(CLI::App& command, FieldInput& options) {
+  command
+      .add_option("--window", options.window,
+                  "corners of the grid, m [default: between the walls, to w above the surface]")
+      ->expected(4)
+      ->type_name("XLO XHI YLO YHI");
+}
+
+void FieldInput::for_packings(bool with_contacts, const Visit& visit) const {
+  std::vector<std::string> contact_files;
+  if (with_contacts) {
+    auto patterns = contacts;
+    if (patterns.empty())
+      for (const auto& each : find_dumps(input.patterns)) patterns.push_back(contacts_beside(each));
+    contact_files = find_dumps(patterns);
+  }
+  input.for_frames([&](const Frame& bodies) {
+    if (input.all_frames && bodies.rows == 0) return;  // as at the start of a deposition
+    const auto packing = read_packing(bodies, input.packing);
+    if (!with_contacts) return visit(packing, bodies, nullptr);
+    const auto frame = frame_at(contact_files, bodies.timestep);
+    if (frame.rows == 0 && !input.all_frames)
+      throw DataError(frame.file + ": no contacts in the frame of timestep " +
+                      std::to_string(frame.timestep) + ", there is no stress to measure");
+    visit(packing, bodies, &frame);
+  });
+}
+
+GriddedFields::GriddedFields(const FieldInput& options, bool with_contacts)
+    : sample(checked(options)) {
+  options.for_packings(with_contacts,
+                       [&](const Packing& each, const Frame& bodies, const Frame* contacts) {
+                         if (packing.size() == 0) packing = each;
+                         time = time_of(bodies, options.input.packing);
+                         sample.add(each, bodies, contacts);
+                       });
+}
+
+std::string GriddedFields::report() const {
+  const Grid& grid = *sample.averages().grid();
+  return describe(packing) + "\nw = " + number_text(sample.averages().kernel().scale(), 4) +
+         " m, grid " + std::to_string(grid.count[0]) + " x " + std::to_string(grid.count[1]) + "\n";
+}
+
+}  // namespace rodpack::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_FIELD_INPUT_H
+#define RODPACK_FIELD_INPUT_H
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "rodpack/fields.h"
+
+namespace rodpack::cli {
+
+/// What the subcommands of coarse-grained fields read, and how they average.
+struct FieldInput {
+  Input input;
+  std::vector<std::string> contacts;
+  FieldOptions fields;
+  std::vector<double> window;
+  std::string stem;
+
+  /// Calls `visit` with the last frame, or with every frame if the user asks for all; the contacts
+  /// are null unless `with_contacts`.
+  using Visit = std::function<void(const Packing&, const Frame& bodies, const Frame* contacts)>;
+  void for_packings(bool with_contacts, const Visit& visit) const;
+};
+
+void add_kernel_options(CLI::App& command, FieldInput& options);
+void add_contact_options(CLI::App& command, FieldInput& options);
+void add_window(CLI::App& command, FieldInput& options);
+
+/// Fields on a grid, with what figures and reports need beside them.
+struct GriddedFields {
+  FieldSample sample;
+  Packing packing;  // of the first frame
+  double time = 0;  // of the last one, s, or its timestep
+
+  GriddedFields(const FieldInput& options, bool with_contacts);
+  std::string report() const;  // packing, scale and grid, for the terminal
+};
+
+}  // namespace rodpack::cli
+
+#endif
