@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 #include <algorithm>
+#include <climits>
+#include <string>
 #include "atom.h"
 #include "body_chains.h"
 #include "error.h"
@@ -25,6 +27,11 @@ ComputeStressGoldhirsch::ComputeStressGoldhirsch(LAMMPS* lmp, int& iarg, int nar
   if (igroup != 0)
     error->compute_error(FLERR, this, "averages all particles: the group has to be 'all'");
   if (!atom->sphere_flag) error->compute_error(FLERR, this, "requires atom style sphere");
+  if (averages_.sums().size() > INT_MAX)
+    error->compute_error(
+        FLERR, this,
+        (std::to_string(averages_.places()) + " places are too many to be added up over ranks")
+            .c_str());
   fields_ = averages_.fields();
   array_flag = 1;
   extarray = 0;
