@@ -4,6 +4,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "rodpack/pressure_profile.h"
+#include "rodpack/text.h"
 
 namespace rodpack {
 namespace {
@@ -34,17 +35,20 @@ struct JanssenResiduals {
 
 JanssenFit fit_janssen(const PressureProfile& profile) {
   const double floor = profile.depth_of_floor;
-  const double margin = floor > 6 * profile.scale ? 3 * profile.scale : profile.scale;
+  if (floor < 6 * profile.scale)
+    throw TooFewParticles("Janssen fit: the bed is too low, " +
+                          number_text(floor / profile.scale, 3) +
+                          " w high, expected at least 6 w: the kernel's smoothing would be fitted");
   std::vector<double> depth, pressure;
   for (std::size_t k = 0; k < profile.depth.size(); ++k) {
     const double h = profile.depth[k];
-    if (h < 0 || h > floor - margin) continue;
+    if (h < 0 || h > floor - 3 * profile.scale) continue;
     depth.push_back(h);
     pressure.push_back(profile.pressure[k]);
   }
   if (depth.size() < 5)
-    throw TooFewParticles("Janssen fit: the bed is too low, " + std::to_string(depth.size()) +
-                          " depths are left, expected at least 5");
+    throw TooFewParticles("Janssen fit: " + std::to_string(depth.size()) +
+                          " depths are left, expected at least 5: give a smaller spacing");
   const auto n = static_cast<Eigen::Index>(depth.size());
   JanssenResiduals residuals{Eigen::Map<Eigen::VectorXd>(depth.data(), n),
                              Eigen::Map<Eigen::VectorXd>(pressure.data(), n)};

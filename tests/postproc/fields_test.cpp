@@ -210,7 +210,7 @@ TEST(Janssen, ALinearProfileDoesNotSaturate) {
   }
   EXPECT_FALSE(saturates);
   auto low = linear;
-  low.depth_of_floor = 1.5;
+  low.depth_of_floor = 5.9;
   EXPECT_THAT([&] { fit_janssen(low); },
               ThrowsMessage<TooFewParticles>(HasSubstr("the bed is too low")));
 }

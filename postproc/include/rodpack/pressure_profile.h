@@ -48,11 +48,12 @@ struct JanssenFit {
   bool saturates = false;                   // h_c is smaller than the depth `to`
 };
 
-/// Fits the depths from the surface to 3 w above the floor, in a bed lower than 6 w to w above it.
+/// Fits the depths from the surface to 3 w above the floor.
 /// The standard errors come from the residuals; neighbouring depths share their noise through the
 /// kernel, whose correlation over a distance x is exp(-x^2 / 4 w^2), so that the variances are
 /// multiplied by its integral 2 sqrt(pi) w over the spacing of the depths.
-/// @throws TooFewParticles when fewer than 5 depths are left or the fit does not converge.
+/// @throws TooFewParticles in a bed lower than 6 w, where the smoothing outweighs the law, with fewer
+/// than 5 depths, and when the fit does not converge.
 JanssenFit fit_janssen(const PressureProfile& profile);
 
 /// Columns h_over_dp, pressure_N_m, stress_xx_N_m ..., sigma_1_N_m, sigma_2_N_m,
