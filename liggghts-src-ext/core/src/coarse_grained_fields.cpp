@@ -25,6 +25,12 @@ std::vector<std::string> tensor_components(int first, int dimension) {
   return names;
 }
 
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
 }  // namespace
 
 Vector Grid::place(std::size_t index) const {
@@ -36,7 +42,7 @@ Vector Grid::place(std::size_t index) const {
 
 Grid filling_grid(int dimension, const Vector& low, const Vector& high, double spacing) {
   if (!(spacing > 0))
-    throw std::invalid_argument("grid spacing is " + std::to_string(spacing) +
+    throw std::invalid_argument("grid spacing is " + number_text(spacing) +
                                 " m, expected a length > 0");
   Grid grid;
   double places = 1;
@@ -44,11 +50,11 @@ Grid filling_grid(int dimension, const Vector& low, const Vector& high, double s
     const double length = high[d] - low[d];
     if (!(length > 0))
       throw std::invalid_argument(std::string("grid is empty: ") + axes[d] + " from " +
-                                  std::to_string(low[d]) + " to " + std::to_string(high[d]) + " m");
+                                  number_text(low[d]) + " to " + number_text(high[d]) + " m");
     const double steps = std::max(1.0, std::round(length / spacing));
     places *= steps + 1;
     if (places > 1e8)
-      throw std::invalid_argument("grid spacing is " + std::to_string(spacing) +
+      throw std::invalid_argument("grid spacing is " + number_text(spacing) +
                                   " m: more than 1e8 places");
     grid.origin[d] = low[d];
     grid.count[d] = static_cast<int>(steps) + 1;
