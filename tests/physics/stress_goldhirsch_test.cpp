@@ -217,6 +217,35 @@ TEST(StressGoldhirsch, RodsThatFallHaveTheKineticStressOfTheirDeviations) {
   }
 }
 
+// Without friction the floor pushes up and the side walls push sideways, so that each wall's force
+// is the integral of one component over its half of the space; the middle is 5 w from either side
+// wall.
+TEST(StressGoldhirsch, EachWallsForceIsTheIntegralOfTheBoundaryDensity) {
+  const auto run = run_liggghts(deck, {{"friction", "0"}, {"steps", "50000"}, {"every", "50000"}});
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const Table contacts = read_dump(run.folder / "contacts.50000.dump");
+  double left = 0, right = 0, floor = 0;
+  for (std::size_t c = 0; c < contacts.rows(); ++c) {
+    if (contacts.column("wall")[c] == 0) continue;
+    const double fx = contacts.column("fx")[c];
+    (fx > 0 ? left : right) += fx;
+    floor += contacts.column("fy")[c];
+  }
+  ASSERT_GT(left, 1e-3);
+  ASSERT_LT(right, -1e-3);
+  const GridFields fields(run.folder / "fields.50000.csv");
+  const auto& density = fields["boundary_force_density_x_N_m2"];
+  const auto half = [&](double sign) {
+    double sum = 0;
+    for (std::size_t i = 0; i < density.size(); ++i)
+      if (sign * (fields["x_m"][i] - 0.03) > 1e-9) sum += density[i] * fields.h * fields.h;
+    return sum;
+  };
+  EXPECT_NEAR(half(-1), left, 1e-5 * left);
+  EXPECT_NEAR(half(1), right, -1e-5 * right);
+  EXPECT_NEAR(fields.integral("boundary_force_density_y_N_m2"), floor, 1e-7 * floor);
+}
+
 // Without side walls the bed repeats itself, and the balance holds across the border.
 TEST(StressGoldhirsch, PeriodicBordersAreNone) {
   const auto run =
