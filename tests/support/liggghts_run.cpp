@@ -93,7 +93,10 @@ Run run_liggghts_in(const fs::path& folder, const std::string& deck,
   }
   // LIGGGHTS prints an error just before MPI_Abort: without line buffering it would be lost.
   // A single process needs no daemon of Open MPI's, whose start takes as long as many a deck.
-  std::string command = ranks > 1 ? mpi_launcher(ranks) : "OMPI_MCA_ess_singleton_isolated=1 ";
+  // Each run has a session folder of its own: in the common one, runs that start and end side by
+  // side make and remove it under each other's feet.
+  std::string command = "OMPI_MCA_orte_tmpdir_base=" + quoted(folder.string()) + " ";
+  command += ranks > 1 ? mpi_launcher(ranks) : "OMPI_MCA_ess_singleton_isolated=1 ";
   command += "stdbuf -oL " + quoted(std::string(RODPACK_BIN) + "/liggghts");
   command += " -in " + quoted(file.string());
   for (const auto& [name, value] : vars) command += " -var " + name + " " + quoted(value);
