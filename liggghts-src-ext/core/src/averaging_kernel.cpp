@@ -83,7 +83,11 @@ LineIntegral AveragingKernel::along(const double* from_a, const double* branch) 
   }
   // t: along the line, from the foot of the perpendicular, whose length is p.
   const double foot = projection / length;
-  const double p_squared = std::max(0.0, squared - foot * foot);
+  double p_squared = 0;  // by components: squared - foot^2 would cancel far from the start
+  for (int d = 0; d < dimension_; ++d) {
+    const double across = from_a[d] - projection / length_squared * branch[d];
+    p_squared += across * across;
+  }
   const double reach_squared = cutoff_ * cutoff_ - p_squared;
   if (reach_squared <= 0) return {0, 0};
   const double reach = std::sqrt(reach_squared);
