@@ -6,18 +6,12 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace rodpack {
+#include "data_error.h"
 
-/// Input that cannot be used. what() is one line: the file (and line), what was found, what was
-/// expected.
-class DataError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace rodpack {
 
 /// The data are sound, but hold too few particles in the right place for this measurement.
 class TooFewParticles : public DataError {
