@@ -9,6 +9,7 @@
 #include "error.h"
 #include "math_extra.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "rodpack/rigid_motion.h"
 #include "style_arguments.h"
 #include "update.h"
@@ -66,16 +67,31 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
 void FixMultisphereAB::parse(int narg, char** arg) {
   // The base class reads its own keywords only up to the first one of ours, hence all of them here.
   StyleArguments arguments(lmp, narg, arg);
+  bool events = false;
   while (arguments.more()) {
     const std::string keyword = arguments.word("", "");
     if (keyword == "allow_group_and_set")
       allow_group_and_set_ = arguments.yes_or_no(keyword);
     else if (keyword == "allow_heatsource")
       allow_heatsource_ = arguments.yes_or_no(keyword);
+    else if (keyword == "events")
+      events = arguments.yes_or_no(keyword);
     else if (!options_.read(keyword, arguments))
       arguments.fail("unknown keyword '" + keyword +
-                     "', expected order, planar, allow_group_and_set or allow_heatsource");
+                     "', expected order, planar, events, allow_group_and_set or allow_heatsource");
   }
+  // First order has nothing to lose at an event.
+  if (events && options_.order() > 1) events_.reset(new ContactEvents(lmp));
+}
+
+void FixMultisphereAB::post_create() {
+  FixMultisphere::post_create();
+  if (events_) events_->create_properties(style);
+}
+
+void FixMultisphereAB::pre_delete(bool unfixflag) {
+  if (unfixflag && events_) events_->delete_properties();
+  FixMultisphere::pre_delete(unfixflag);
 }
 
 void FixMultisphereAB::init() {
@@ -85,6 +101,9 @@ void FixMultisphereAB::init() {
   if (modify->n_fixes_style("insert/stream") > 0)
     ms_error(FLERR, "fix insert/stream, which moves bodies by itself at first, is not supported");
   planar_ = options_.planar();
+  // The models are told of a pair that parts only while it is closer than this times the sum of the
+  // radii: far enough for a step.
+  if (events_) neighbor->register_contact_dist_factor(1.02);
   restart_history_after_change();
 }
 
@@ -127,11 +146,13 @@ void FixMultisphereAB::initial_integrate(int) {
   set_xv();
   rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
   reverse_comm();
+  if (events_) events_->arm();
 }
 
 void FixMultisphereAB::final_integrate() {
   // Velocities are those of this time already, on ghosts too: only the forces are missing.
   calc_force(false);
+  if (events_) apply_events();
 }
 
 double FixMultisphereAB::moment_about_z(int body) const {
@@ -171,14 +192,17 @@ void FixMultisphereAB::advance_planar(int body) {
     v[d] = motion.velocity[d];
   }
   std::copy(motion.quaternion, motion.quaternion + 4, q);
+  set_axes_planar(body);
   omega_(body)[2] = motion.angular_velocity;
   angmom_(body)[2] = moment * motion.angular_velocity;
+}
 
+void FixMultisphereAB::set_axes_planar(int body) {
   // A rotation about z leaves the z components of the axes alone; recomputed ones would scatter by
   // a rounding error and move spheres out of their plane.
   double* axes[3] = {ex_(body), ey_(body), ez_(body)};
   const double z[3] = {axes[0][2], axes[1][2], axes[2][2]};
-  MathExtra::q_to_exyz(q, axes[0], axes[1], axes[2]);
+  MathExtra::q_to_exyz(quat_(body), axes[0], axes[1], axes[2]);
   for (int d = 0; d < 3; ++d) axes[d][2] = z[d];
 }
 

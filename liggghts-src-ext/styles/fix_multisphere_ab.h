@@ -10,8 +10,10 @@ FixStyle(multisphere/ab,FixMultisphereAB)
 #ifndef RODPACK_FIX_MULTISPHERE_AB_H
 #define RODPACK_FIX_MULTISPHERE_AB_H
 
+#include <memory>
 #include <vector>
 
+#include "contact_events.h"
 #include "fix_multisphere.h"
 #include "multistep_options.h"
 
@@ -26,6 +28,8 @@ class FixMultisphereAB : public FixMultisphere {
  public:
   FixMultisphereAB(class LAMMPS*, int, char**);
 
+  void post_create() override;
+  void pre_delete(bool unfixflag) override;
   void init() override;
   void initial_integrate(int) override;
   void final_integrate() override;
@@ -58,10 +62,23 @@ class FixMultisphereAB : public FixMultisphere {
   double moment_about_z(int body) const;
   void advance_planar(int body);
   void advance_spatial(int body);
+  void set_axes_planar(int body);
+
+  // events of contacts
+  struct BodyMotion;
+  void apply_events();
+  void sum_changes();
+  void correct_planar(int body, const ContactEvents::Changes& sum, BodyMotion& change);
+  void correct_spatial(int body, const ContactEvents::Changes& sum, BodyMotion& change);
+  void publish(const std::vector<BodyMotion>& changes);
 
   MultistepOptions options_;
   int order_;
   bool planar_;
+  std::unique_ptr<ContactEvents> events_;        // none with `events no` or order 1
+  std::vector<int> changed_bodies_;              // whose contacts had events in this step,
+  std::vector<ContactEvents::Changes> changes_;  // and the sum over these
+  std::vector<int> place_;                       // of a body in both; -1: not there
   /// Values per body that the base class writes to a restart file ahead of ours.
   int stock_restart_size_;
 

@@ -7,7 +7,9 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #ifndef NORMAL_MODEL_SPRING_DASHPOT_H_
 #define NORMAL_MODEL_SPRING_DASHPOT_H_
 
+#include <algorithm>
 #include <string>
+#include "contact_events.h"
 #include "contact_models.h"
 #include "contact_recorder.h"
 #include "error.h"
@@ -15,6 +17,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #include "global_properties.h"
 #include "normal_model_base.h"
 #include "rodpack/contact_law.h"
+#include "update.h"
 
 namespace LIGGGHTS {
 namespace ContactModels {
@@ -51,7 +54,16 @@ template <>
 class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
  public:
   NormalModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
-      : NormalModelBase(lmp, hsetup, c), kn_(NULL), kt_(NULL), eta_n_(NULL), eta_t_(NULL) {}
+      : NormalModelBase(lmp, hsetup, c),
+        offset_(hsetup->add_history_value("spring_dashpot_uncut", "0")),
+        kn_(NULL),
+        kt_(NULL),
+        eta_n_(NULL),
+        eta_t_(NULL) {
+    hsetup->add_history_value("spring_dashpot_touch_rate", "0");
+    hsetup->add_history_value("spring_dashpot_fresh", "0");
+    hsetup->add_history_value("spring_dashpot_normal_step", "0");
+  }
 
   void registerSettings(Settings&) {}
   void postSettings(IContactHistorySetup*, ContactModelBase*) {}
@@ -80,14 +92,12 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
 
   void surfacesIntersect(SurfacesIntersectData& sidata, ForceData& i_forces, ForceData& j_forces) {
     if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_NORMAL_MODEL;
-    const int itype = sidata.itype;
-    const int jtype = sidata.jtype;
     // sidata.meff comes from the bodies: each sphere of a clump carries the clump's mass in rmass.
-    sidata.kn = kn_[itype][jtype];
-    sidata.kt = kt_[itype][jtype];
-    sidata.gamman = rodpack::damping_coefficient(eta_n_[itype][jtype], sidata.meff, sidata.kn);
-    sidata.gammat = rodpack::damping_coefficient(eta_t_[itype][jtype], sidata.meff, sidata.kt);
-    sidata.Fn = rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn).total;
+    set_coefficients(sidata);
+    const rodpack::NormalForce normal =
+        rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn);
+    sidata.Fn = normal.total;
+    follow(sidata, normal.elastic - sidata.gamman * sidata.vn);
 
     const double force_magnitude = sidata.is_wall ? sidata.Fn * sidata.area_ratio : sidata.Fn;
     for (int d = 0; d < 3; ++d) {
@@ -101,11 +111,112 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
 
   void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
     if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_NORMAL_MODEL;
+    if (!scdata.contact_history) return;
+    double* const history = &scdata.contact_history[offset_];
+    if (history[STEP] == 0.0) return;
+    ContactEvents* const events = ContactEvents::armed();
+    if (events && lives_on(history)) {
+      SurfacesIntersectData contact = events->as_if_in_contact(scdata);
+      set_coefficients(contact);
+      const double uncut = contact.kn * contact.deltan - contact.gamman * contact.vn;
+      // A force that was cut off before has had its event.
+      if (history[UNCUT] > 0.0 && uncut < 0.0) cross_zero(contact, history, uncut, *events);
+    }
+    std::fill_n(history, VALUES, 0.0);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
 
  private:
+  enum { UNCUT = 0, TOUCH_RATE, FRESH, STEP, VALUES };
+
+  void set_coefficients(SurfacesIntersectData& contact) const {
+    const int i = contact.itype, j = contact.jtype;
+    contact.kn = kn_[i][j];
+    contact.kt = kt_[i][j];
+    contact.gamman = rodpack::damping_coefficient(eta_n_[i][j], contact.meff, contact.kn);
+    contact.gammat = rodpack::damping_coefficient(eta_t_[i][j], contact.meff, contact.kt);
+  }
+
+  bool lives_on(const double* history) const {
+    return history[STEP] == static_cast<double>(update->ntimestep);
+  }
+
+  /// Keeps the history of a contact whose force is `uncut` before the cut, and reports its events.
+  void follow(const SurfacesIntersectData& contact, double uncut) const {
+    if (!contact.computeflag) return;
+    double* const history = &contact.contact_history[offset_];
+    const bool alive = lives_on(history);
+    // At set-up the evaluation of the last step is repeated, except after `restart N`, which saves
+    // the contacts of pairs as they were one evaluation before.
+    if (!contact.shearupdate && history[STEP] != 0.0 && !alive) {
+      history[STEP] = static_cast<double>(update->ntimestep + 1);
+      return;
+    }
+    const bool was_fresh = history[FRESH] != 0.0;
+    history[FRESH] = 0.0;
+    ContactEvents* const events = ContactEvents::armed();
+    if (!alive)
+      touch(contact, history, uncut, events);
+    else if (events)
+      go_on(contact, history, uncut, was_fresh, *events);
+    history[UNCUT] = uncut;
+    history[STEP] = static_cast<double>(update->ntimestep + 1);
+  }
+
+  void touch(const SurfacesIntersectData& contact, double* history, double uncut,
+             ContactEvents* events) const {
+    if (contact.vn >= 0.0) return;
+    // The closing speed is taken as constant since touch; that gives the impulse of the dashpot
+    // exactly, and what it misses of the rate is made good in the next step.
+    const double since = std::min(update->dt, -contact.deltan / contact.vn);
+    history[TOUCH_RATE] = -contact.kn * contact.vn;
+    history[FRESH] = 1.0;
+    if (events)
+      along_normal(contact, uncut, history[TOUCH_RATE], since, contact.gamman > 0.0, *events);
+  }
+
+  void go_on(const SurfacesIntersectData& contact, const double* history, double uncut,
+             bool was_fresh, ContactEvents& events) const {
+    const double dt = update->dt;
+    if ((uncut > 0.0) != (history[UNCUT] > 0.0)) cross_zero(contact, history, uncut, events);
+    ContactEvents::Motion change;
+    if (!(uncut > 0.0) || !events.motion_changed(contact, change)) return;
+    double parts[3][3];
+    const double* const in_full[3] = {change.acceleration, change.velocity, change.displacement};
+    double normal[3];
+    for (int k = 0; k < 3; ++k) {
+      normal[k] = vectorDot3D(in_full[k], contact.en);
+      for (int d = 0; d < 3; ++d) parts[k][d] = normal[k] * contact.en[d];
+    }
+    events.add(contact, rodpack::dashpot_change(contact.gamman, parts[0], parts[1], parts[2], dt));
+    if (!was_fresh) return;
+    // Two evaluations after touch give the rate that was guessed at touch.
+    const double at_touch = history[UNCUT] - contact.gamman * normal[1];
+    const double applied = history[TOUCH_RATE] - contact.gamman * normal[0];
+    const double missed = (uncut - at_touch) / dt - applied;
+    along_normal(contact, missed * dt, missed, dt, false, events);
+  }
+
+  /// The force before the cut has changed sign within the step.
+  void cross_zero(const SurfacesIntersectData& contact, const double* history, double uncut,
+                  ContactEvents& events) const {
+    const double dt = update->dt, sign = uncut > 0.0 ? 1.0 : -1.0;
+    const double since = rodpack::time_since_zero(history[UNCUT], uncut, dt);
+    along_normal(contact, sign * uncut, sign * (uncut - history[UNCUT]) / dt, since, false, events);
+  }
+
+  static void along_normal(const SurfacesIntersectData& contact, double force, double rate,
+                           double since, bool jumps, ContactEvents& events) {
+    double now[3], growing[3];
+    for (int d = 0; d < 3; ++d) {
+      now[d] = force * contact.en[d];
+      growing[d] = rate * contact.en[d];
+    }
+    events.add(contact, now, growing, since, jumps);
+  }
+
+  int offset_;      // of its values in a contact's history
   double** kn_;     // contact stiffness k_n,ij per type pair, N/m
   double** kt_;     // tangential stiffness k_t,ij, N/m
   double** eta_n_;  // damping ratios

@@ -10,6 +10,7 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include "contact_events.h"
 #include "contact_models.h"
 #include "contact_recorder.h"
 #include "error.h"
@@ -39,6 +40,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   TangentialModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
       : TangentialModelBase(lmp, hsetup, c),
         friction_(NULL),
+        kt_(NULL),
+        eta_t_(NULL),
         slots_setting_(3.0),
         slots_(0),
         offset_(-1),
@@ -69,6 +72,10 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
                  "tangential spring_dashpot: repeat the pair_style command after read_restart");
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
     registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
+    registry.registerProperty("k_t", &MODEL_PARAMS::createKt);
+    registry.registerProperty("dampingRatioTangential", &create_damping_ratio_tangential);
+    registry.connect("k_t", kt_, "tangential_model spring_dashpot");
+    registry.connect("dampingRatioTangential", eta_t_, "tangential_model spring_dashpot");
     check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
                      "a coefficient >= 0");
     order_ = running_order();
@@ -88,11 +95,13 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     double* const history = &sidata.contact_history[offset_];
     const bool update =
         sidata.computeflag && (sidata.shearupdate || missed_update_at_setup(history));
-    if (update) advance(sidata, history);
+    Past past;
+    if (update) past = advance(sidata, history);
 
     const double velocity[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
     double spring[3] = {history[0], history[1], history[2]};
-    double tangential[3];
+    double tangential[3], stuck[3];
+    for (int d = 0; d < 3; ++d) stuck[d] = -(sidata.kt * spring[d] + sidata.gammat * velocity[d]);
     bool sliding = count(history) < 0.0 && sidata.kt > 0.0;
     if (update || !sliding) {
       const double cap = friction_[sidata.itype][sidata.jtype] * sidata.kn * sidata.deltan;
@@ -106,6 +115,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     if (update) {
       std::copy(spring, spring + 3, history);
       if (sliding) count(history) = -count(history);
+      if (ContactEvents* events = ContactEvents::armed())
+        report(sidata, past, stuck, tangential, sliding, *events);
     }
     apply(sidata, tangential, i_forces, j_forces);
     if (ContactRecorder* recorder = ContactRecorder::armed())
@@ -114,8 +125,13 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
 
   void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
     if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_TANGENTIAL_MODEL;
-    if (scdata.contact_history)
-      std::fill_n(&scdata.contact_history[offset_], 3 * (slots_ + 1) + 2, 0.0);
+    if (!scdata.contact_history) return;
+    double* const history = &scdata.contact_history[offset_];
+    if (count(history) == 0.0) return;
+    ContactEvents* const events = ContactEvents::armed();
+    if (events && step(history) == static_cast<double>(update->ntimestep) - 1.0)
+      report_end(events->as_if_in_contact(scdata), history, *events);
+    std::fill_n(history, 3 * (slots_ + 1) + 2, 0.0);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
@@ -150,8 +166,15 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     return false;
   }
 
+  /// What a contact was at the last evaluation, turned into the present plane of contact.
+  struct Past {
+    bool alive = false, fresh = false, sliding = false;  // fresh: that evaluation was its first
+    double since = 0.0;                                  // touch, if it was not alive, s
+    double spring[3] = {0.0, 0.0, 0.0}, velocity[3] = {0.0, 0.0, 0.0};
+  };
+
   /// Brings the spring from the last step to this one and stores this step's velocity.
-  void advance(const SurfacesIntersectData& sidata, double* history) const {
+  Past advance(const SurfacesIntersectData& sidata, double* history) const {
     const double now = static_cast<double>(update->ntimestep);
     const double dt = update->dt;
     const double velocity[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
@@ -159,43 +182,50 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
 
     // LIGGGHTS tells a model of a separation only if the spheres are still close then. A contact
     // that was not updated in the last step is a new one, whatever is in its history.
-    const bool alive = count(history) != 0.0 && step(history) == now - 1.0;
+    Past past;
+    past.alive = count(history) != 0.0 && step(history) == now - 1.0;
     step(history) = now;
-    if (!alive) {
-      start_spring(sidata, dt, history);
+    if (!past.alive) {
+      past.since = start_spring(sidata, dt, history);
       std::fill_n(newest, 3 * slots_, 0.0);
       std::copy(velocity, velocity + 3, newest);
       count(history) = 1.0;
-      return;
+      return past;
     }
 
     const int known = static_cast<int>(std::fabs(count(history)));
+    past.fresh = known == 1;
+    past.sliding = count(history) < 0.0;
     turn_with_contact(sidata.en, history);
     if (order_ == 0) {
       // Velocity Verlet shows the velocity at half the step, where the midpoint rule wants it.
       for (int d = 0; d < 3; ++d) history[d] += dt * velocity[d];
       std::copy(velocity, velocity + 3, newest);
       count(history) = 1.0;
-      return;
+      return past;
     }
     const rodpack::MultistepWeights& weights = rodpack::multistep_weights(order_, known);
     for (int k = 0; k < slots_; ++k) turn_with_contact(sidata.en, newest + 3 * k);
+    std::copy(history, history + 3, past.spring);
+    std::copy(newest, newest + 3, past.velocity);
     for (int d = 0; d < 3; ++d)
       history[d] += rodpack::multistep_increment(weights, order_, dt,
                                                  [&](int k) { return newest[3 * k + d]; });
     std::copy_backward(newest, newest + 3 * (slots_ - 1), newest + 3 * slots_);
     std::copy(velocity, velocity + 3, newest);
     count(history) = std::min(known, slots_) + 1.0;
+    return past;
   }
 
   /// The life of a contact begins within a step, when the gap closes: sets the integral of the
-  /// tangential velocity from then on, with the velocities taken as constant.
-  static void start_spring(const SurfacesIntersectData& sidata, double dt, double* spring) {
+  /// tangential velocity from then on, with the velocities taken as constant. Returns the time
+  /// since.
+  static double start_spring(const SurfacesIntersectData& sidata, double dt, double* spring) {
     const double now[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
     if (sidata.is_wall) {
       const double since_touch = sidata.vn < 0.0 ? std::min(dt, -sidata.deltan / sidata.vn) : 0.0;
       for (int d = 0; d < 3; ++d) spring[d] = since_touch * now[d];
-      return;
+      return since_touch;
     }
     double velocity[3];
     vectorSubtract3D(sidata.v_i, sidata.v_j, velocity);
@@ -216,6 +246,91 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     for (int d = 0; d < 3; ++d) at_touch[d] = velocity[d] - closing * normal[d] - roll[d];
     turn_with_contact(sidata.en, at_touch);
     for (int d = 0; d < 3; ++d) spring[d] = 0.5 * since_touch * (at_touch[d] + now[d]);
+    return since_touch;
+  }
+
+  /// Reports the events of a contact whose force is `force`, and would be `stuck` without the cap.
+  void report(const SurfacesIntersectData& contact, const Past& past, const double (&stuck)[3],
+              const double (&force)[3], bool sliding, ContactEvents& events) const {
+    const double dt = update->dt, kt = contact.kt, gamma = contact.gammat;
+    double now[3], rate[3];
+    if (!past.alive) {
+      if (!(past.since > 0.0)) return;
+      const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+      for (int d = 0; d < 3; ++d) rate[d] = sliding ? force[d] / past.since : -kt * velocity[d];
+      events.add(contact, force, rate, past.since, !sliding && gamma > 0.0);
+      return;
+    }
+    double before[3];
+    for (int d = 0; d < 3; ++d) before[d] = -(kt * past.spring[d] + gamma * past.velocity[d]);
+    if (sliding) {
+      if (past.sliding) return;
+      // The cap was reached within the step.
+      const double friction = friction_[contact.itype][contact.jtype] * contact.kn;
+      const double beyond_before =
+          vectorMag3D(before) - friction * (contact.deltan + dt * contact.vn);
+      const double beyond_now = vectorMag3D(stuck) - friction * contact.deltan;
+      if (!(beyond_before < 0.0) || !(beyond_now > 0.0)) return;
+      const double since = rodpack::time_since_zero(beyond_before, beyond_now, dt);
+      if (!(since > 0.0)) return;
+      for (int d = 0; d < 3; ++d) {
+        now[d] = force[d] - stuck[d];
+        rate[d] = now[d] / since;
+      }
+      events.add(contact, now, rate, since);
+      return;
+    }
+    ContactEvents::Motion change;
+    if (past.sliding || !events.motion_changed(contact, change)) return;
+    in_plane(contact.en, change.acceleration);
+    in_plane(contact.en, change.velocity);
+    in_plane(contact.en, change.displacement);
+    events.add(contact, rodpack::dashpot_change(gamma, change.acceleration, change.velocity,
+                                                change.displacement, dt));
+    if (!past.fresh) return;
+    // Two evaluations after touch give the rate that was guessed at touch.
+    for (int d = 0; d < 3; ++d) {
+      const double at_touch = before[d] - gamma * change.velocity[d];
+      const double applied = -kt * past.velocity[d] - gamma * change.acceleration[d];
+      rate[d] = (force[d] - at_touch) / dt - applied;
+      now[d] = rate[d] * dt;
+    }
+    events.add(contact, now, rate, dt);
+  }
+
+  /// Reports that a contact has opened within the step: `contact` goes on with negative overlap.
+  void report_end(const SurfacesIntersectData& contact, double* history,
+                  ContactEvents& events) const {
+    const double dt = update->dt;
+    if (!(contact.vn > 0.0)) return;
+    const double since = std::min(dt, -contact.deltan / contact.vn);
+    const double kt = kt_[contact.itype][contact.jtype];
+    const double gamma =
+        rodpack::damping_coefficient(eta_t_[contact.itype][contact.jtype], contact.meff, kt);
+    double now[3], rate[3];
+    if (count(history) < 0.0) {
+      // A sliding contact's force has fallen to zero with the cap, in proportion to the overlap.
+      if (!(dt - since > 1e-6 * dt)) return;
+      turn_with_contact(contact.en, history);
+      for (int d = 0; d < 3; ++d) {
+        rate[d] = -kt * history[d] / (dt - since);
+        now[d] = rate[d] * since;
+      }
+      events.add(contact, now, rate, since);
+      return;
+    }
+    const Past past = advance(contact, history);
+    const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+    for (int d = 0; d < 3; ++d) {
+      now[d] = kt * history[d] + gamma * velocity[d];
+      rate[d] = (now[d] - kt * past.spring[d] - gamma * past.velocity[d]) / dt;
+    }
+    events.add(contact, now, rate, since, true);
+  }
+
+  static void in_plane(const double* en, double (&vector)[3]) {
+    const double normal = vectorDot3D(vector, en);
+    for (int d = 0; d < 3; ++d) vector[d] -= normal * en[d];
   }
 
   /// Turns a vector of the former plane of contact into the present one, of normal `en`, by
@@ -244,7 +359,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     }
   }
 
-  double** friction_;     // mu per type pair
+  double** friction_;  // mu per type pair
+  double** kt_;        // for contacts that have just opened: else sidata has them
+  double** eta_t_;
   double slots_setting_;  // as read; Settings knows only doubles
   int slots_;             // N: velocities held per contact
   int offset_;            // of the spring in a contact's history

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact_events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "fix_property_atom.h"
+#include "modify.h"
+#include "update.h"
+#include "vector_liggghts.h"
+
+namespace LAMMPS_NS {
+
+using rodpack::ForceChange;
+
+namespace {
+
+constexpr int change_values = sizeof(ContactEvents::Changes) / sizeof(double);
+constexpr int motion_values = sizeof(ContactEvents::AtomMotion) / sizeof(double);
+static_assert(change_values == 24 && motion_values == 19, "plain doubles, stored per atom");
+
+FixPropertyAtom* add_property(Modify* modify, const char* name, int values, bool restart,
+                              const char* caller) {
+  const char* keep = restart ? "yes" : "no";
+  std::vector<std::string> words = {name,     "all", "property/atom", name,
+                                    "vector", keep,  "yes",           "yes"};
+  words.resize(words.size() + values, "0.");
+  std::vector<char*> arg;
+  for (std::string& word : words) arg.push_back(&word[0]);
+  return modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), caller);
+}
+
+/// Lever from the centre of a sphere to the contact, in direction `sign` of the normal, and its
+/// rate: the overlap changes its length, and the normal turns.
+void contact_lever(const ContactEvents::Contact& contact, const double (&turn)[3], double length,
+                   double sign, double (&lever)[3], double (&rate)[3]) {
+  for (int d = 0; d < 3; ++d) {
+    lever[d] = sign * length * contact.en[d];
+    rate[d] = sign * (0.5 * contact.vn * contact.en[d] + length * turn[d]);
+  }
+}
+
+/// Rate at which the normal turns, 1/s; that of a wall does not.
+void turning_rate(const ContactEvents::Contact& contact, double (&rate)[3]) {
+  for (int d = 0; d < 3; ++d)
+    rate[d] = contact.is_wall
+                  ? 0.0
+                  : (contact.v_i[d] - contact.v_j[d] - contact.vn * contact.en[d]) * contact.rinv;
+}
+
+}  // namespace
+
+ContactEvents* ContactEvents::armed_ = NULL;
+
+void ContactEvents::create_properties(const char* caller) {
+  changes_ = add_property(modify, "contact_events_changes", change_values, false, caller);
+  motion_ = add_property(modify, "contact_events_motion", motion_values, true, caller);
+}
+
+void ContactEvents::delete_properties() {
+  modify->delete_fix(changes_->id);
+  modify->delete_fix(motion_->id);
+}
+
+void ContactEvents::arm() {
+  armed_ = this;
+  follows_jump_ = pending_;
+  pending_ = false;
+}
+
+void ContactEvents::disarm() {
+  if (armed_ == this) armed_ = NULL;
+}
+
+const ContactEvents::Changes& ContactEvents::changes(int i) const {
+  return *reinterpret_cast<Changes*>(changes_->array_atom[i]);
+}
+
+ContactEvents::AtomMotion& ContactEvents::motion(int i) const {
+  return *reinterpret_cast<AtomMotion*>(motion_->array_atom[i]);
+}
+
+void ContactEvents::add(const Contact& contact, const double (&now)[3], const double (&rate)[3],
+                        double since, bool jumps) {
+  // A force that keeps its components in the frame of the contact turns with it.
+  double turn[3], turning[3];
+  turning_rate(contact, turn);
+  const double normal = vectorDot3D(now, contact.en), inwards = vectorDot3D(now, turn);
+  for (int d = 0; d < 3; ++d) turning[d] = rate[d] + normal * turn[d] - inwards * contact.en[d];
+  add(contact, rodpack::linear_change(now, turning, since));
+  local_jump_ = local_jump_ || jumps;
+}
+
+void ContactEvents::add(const Contact& contact, const ForceChange& on_i) {
+  double turn[3], lever[3], rate[3];
+  turning_rate(contact, turn);
+  const double share = contact.is_wall ? contact.area_ratio : 1.0;
+  const auto add_to = [&](int atom_index, double sign, double length) {
+    if (atom_index >= atom->nlocal) return;  // its owner sees this contact too
+    ForceChange force = on_i;
+    for (int d = 0; d < 3; ++d) {
+      // the lever of i points against the force that pushes i away, that of j too
+      force.now[d] *= sign * share;
+      force.rate[d] *= sign * share;
+      force.impulse[d] *= sign * share;
+      force.sweep[d] *= sign * share;
+    }
+    contact_lever(contact, turn, length, -sign, lever, rate);
+    Changes& sum = *reinterpret_cast<Changes*>(changes_->array_atom[atom_index]);
+    sum.force += force;
+    sum.torque += rodpack::torque_change(lever, rate, force);
+    changed_.push_back(atom_index);
+  };
+  add_to(contact.i, 1.0, contact.cri);
+  if (!contact.is_wall) add_to(contact.j, -1.0, contact.crj);
+}
+
+const ContactEvents::AtomMotion* ContactEvents::changed_motion(int i) const {
+  const AtomMotion& found = motion(i);
+  return found.step == static_cast<double>(update->ntimestep) ? &found : NULL;
+}
+
+bool ContactEvents::motion_changed(const Contact& contact, Motion& change) const {
+  if (!follows_jump_) return false;
+  const AtomMotion* of_i = changed_motion(contact.i);
+  const AtomMotion* of_j = contact.is_wall ? NULL : changed_motion(contact.j);
+  if (!of_i && !of_j) return false;
+  change = Motion();
+  const auto add = [&](const AtomMotion& atom_motion, double sign, double length) {
+    double lever[3], moved[3];
+    for (int d = 0; d < 3; ++d) lever[d] = -sign * length * contact.en[d];
+    const auto surface = [&](const double* centre, const double* turn, double* sum) {
+      vectorCross3D(turn, lever, moved);
+      for (int d = 0; d < 3; ++d) sum[d] += sign * (centre[d] + moved[d]);
+    };
+    surface(atom_motion.acceleration, atom_motion.angular_acceleration, change.acceleration);
+    surface(atom_motion.velocity, atom_motion.angular_velocity, change.velocity);
+    surface(atom_motion.displacement, atom_motion.rotation, change.displacement);
+  };
+  if (of_i) add(*of_i, 1.0, contact.cri);
+  if (of_j) add(*of_j, -1.0, contact.crj);
+  return true;
+}
+
+ContactEvents::Contact ContactEvents::as_if_in_contact(const ClosePair& pair) const {
+  Contact contact;
+  static_cast<ClosePair&>(contact) = pair;
+  contact.r = std::sqrt(pair.rsq);
+  contact.rinv = 1.0 / contact.r;
+  contact.deltan = pair.radsum - contact.r;
+  contact.mi = contact.meff = atom->rmass[pair.i];  // each sphere carries the mass of its body
+  contact.omega_i = atom->omega[pair.i];
+  contact.cri = pair.radi - 0.5 * contact.deltan;
+  double roll[3], spin[3], relative[3];
+  vectorSubtract3D(pair.v_i, pair.v_j, relative);
+  for (int d = 0; d < 3; ++d) {
+    contact.en[d] = pair.delta[d] * contact.rinv;
+    spin[d] = contact.cri * contact.omega_i[d];
+  }
+  if (!pair.is_wall) {
+    contact.mj = atom->rmass[pair.j];
+    contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
+    contact.omega_j = atom->omega[pair.j];
+    contact.crj = pair.radj - 0.5 * contact.deltan;
+    for (int d = 0; d < 3; ++d) spin[d] += contact.crj * contact.omega_j[d];
+  }
+  contact.vn = vectorDot3D(relative, contact.en);
+  vectorCross3D(spin, contact.en, roll);
+  contact.vtr1 = relative[0] - contact.vn * contact.en[0] - roll[0];
+  contact.vtr2 = relative[1] - contact.vn * contact.en[1] - roll[1];
+  contact.vtr3 = relative[2] - contact.vn * contact.en[2] - roll[2];
+  return contact;
+}
+
+bool ContactEvents::collect() {
+  int state = local_jump_ ? 2 : changed_.empty() ? 0 : 1;
+  if (comm->nprocs > 1) {
+    const int mine = state;
+    MPI_Allreduce(&mine, &state, 1, MPI_INT, MPI_MAX, world);
+  }
+  any_jumped_ = state == 2;
+  local_jump_ = false;
+  if (state == 0) return false;
+
+  std::sort(changed_.begin(), changed_.end());
+  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  if (comm->nprocs > 1) {
+    changes_->do_forward_comm();
+    for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; ++i) {
+      const double* values = changes_->array_atom[i];
+      if (std::any_of(values, values + change_values, [](double value) { return value != 0.0; }))
+        changed_.push_back(i);
+    }
+  }
+  return true;
+}
+
+void ContactEvents::clear() {
+  for (int i : changed_) std::fill_n(changes_->array_atom[i], change_values, 0.0);
+  changed_.clear();
+}
+
+void ContactEvents::begin_publishing() {
+  if (comm->nprocs == 1) return;  // the step in each entry says which ones count
+  for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
+    std::fill_n(motion_->array_atom[i], motion_values, 0.0);
+}
+
+void ContactEvents::end_publishing() {
+  pending_ = true;
+  if (comm->nprocs == 1) return;
+  // A body belongs to one rank, which has set its spheres wherever they are owned.
+  motion_->do_reverse_comm();
+  motion_->do_forward_comm();
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef LMP_CONTACT_EVENTS_H
+#define LMP_CONTACT_EVENTS_H
+
+#include <vector>
+#include "contact_interface.h"
+#include "pointers.h"
+#include "rodpack/force_change.h"
+
+namespace LAMMPS_NS {
+
+/// Carries events of contacts (rodpack/force_change.h) from the contact models to the integrator of
+/// the bodies, and what they did to the bodies back to the models in the step after.
+///
+/// Per atom, since a body's spheres and its contacts may be spread over ranks: the changes of the
+/// forces on a sphere travel as the forces do, and the motion of a sphere as its velocity does.
+class ContactEvents : protected Pointers {
+ public:
+  typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
+  typedef LIGGGHTS::ContactModels::SurfacesCloseData ClosePair;
+
+  explicit ContactEvents(class LAMMPS* lmp) : Pointers(lmp) {}
+  ~ContactEvents() { disarm(); }
+
+  // ---- for the contact models
+
+  /// The events of the integrator that runs, while forces are evaluated in a step; else null.
+  static ContactEvents* armed() { return armed_; }
+
+  /// The force on i has changed to another branch `since` seconds ago: by `now` (N), growing by
+  /// `rate` (N/s) in a frame that turns with the contact. `jumps`: it did not grow from 0, so the
+  /// acceleration of the bodies jumped.
+  void add(const Contact& contact, const double (&now)[3], const double (&rate)[3], double since,
+           bool jumps = false);
+  void add(const Contact& contact, const rodpack::ForceChange& on_i);
+
+  /// By how much the motion of i's surface relative to j's, at the contact, has changed in the last
+  /// step because forces jumped; false if it has not.
+  struct Motion {
+    double acceleration[3], velocity[3], displacement[3];  // seen at the end of the last step, SI
+  };
+  bool motion_changed(const Contact& contact, Motion& change) const;
+
+  /// A pair that has just lost contact as if it were still in touch, of negative overlap: what the
+  /// surface model sets for a pair in contact, and `meff`.
+  Contact as_if_in_contact(const ClosePair& pair) const;
+
+  // ---- for the integrator
+
+  /// Makes the properties of the atoms; call in post_create.
+  void create_properties(const char* caller);
+  void delete_properties();
+
+  void arm();
+  void disarm();
+  /// After the forces: whether any rank has events. Then changes() is complete on owned atoms and
+  /// ghosts.
+  bool collect();
+  /// Atoms whose forces have changed, with ghosts.
+  const std::vector<int>& changed() const { return changed_; }
+  struct Changes {
+    rodpack::ForceChange force, torque;  // torque about the centre of the sphere
+  };
+  const Changes& changes(int i) const;
+  /// Forgets the changes.
+  void clear();
+  /// Whether, on any rank, accelerations have jumped, so that the integrator has to publish.
+  bool jumped() const { return any_jumped_; }
+
+  /// Change of the motion of a sphere's centre and of its rotation, as in Motion.
+  struct AtomMotion {
+    double acceleration[3], velocity[3], displacement[3];
+    double angular_acceleration[3], angular_velocity[3], rotation[3];
+    double step;  // at whose end it happened, plus 1; 0: never
+  };
+  AtomMotion& motion(int i) const;
+  /// Before motion() is set for the spheres of the bodies that this rank owns, and after.
+  void begin_publishing();
+  void end_publishing();
+
+ private:
+  const AtomMotion* changed_motion(int i) const;
+
+  static ContactEvents* armed_;
+  class FixPropertyAtom* changes_ = NULL;
+  class FixPropertyAtom* motion_ = NULL;
+  std::vector<int> changed_;
+  bool local_jump_ = false, any_jumped_ = false;
+  bool pending_ = true;        // motions may have changed in this step; true after a restart
+  bool follows_jump_ = false;  // or in the last one
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
