@@ -114,7 +114,8 @@ void FixMultisphereAB::reset_dt() {
 
 void* FixMultisphereAB::extract(const char* name, int& dimension) {
   dimension = 0;
-  return strcmp(name, "multistep_order") == 0 ? &order_ : NULL;
+  if (strcmp(name, "multistep_order") == 0) return &order_;
+  return strcmp(name, "contact_events") == 0 ? events_.get() : NULL;
 }
 
 /// Completes `history`, whose newest entry is set, with the past of the body, and keeps what the

@@ -37,7 +37,8 @@ class FixMultisphereAB : public FixMultisphere {
   void restart(char*) override;
 
   using FixMultisphere::extract;
-  /// "multistep_order": the order, int*. For the tangential contact models.
+  /// For the contact models: "multistep_order", the order, int*; "contact_events", ContactEvents*,
+  /// null unless events are followed.
   void* extract(const char*, int&) override;
 
  private:

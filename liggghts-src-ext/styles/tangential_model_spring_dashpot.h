@@ -18,7 +18,7 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 #include "global_properties.h"
 #include "modify.h"
 #include "normal_model_spring_dashpot.h"
-#include "rodpack/contact_law.h"
+#include "rodpack/friction_step.h"
 #include "rodpack/multistep.h"
 #include "tangential_model_base.h"
 #include "update.h"
@@ -26,14 +26,18 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 namespace LIGGGHTS {
 namespace ContactModels {
 
+using rodpack::ForceChange;
+using rodpack::FrictionForce;
+using rodpack::FrictionStep;
+
 // Spring and dashpot in the plane of contact, capped at mu times the elastic normal force (Lu et
 // al., Granular Matter 18:34, 2016, section 2; the formula is rodpack::tangential_force). The
 // spring is the integral of the tangential velocity over the life of the contact, by the multistep
 // formula of the integrator that runs.
 //
 // History of a contact: spring (3), the last N tangential velocities, newest first (3 N), number of
-// velocities known (negative while sliding), step of the last update. Vectors change sign when the
-// partners swap, so their flag is "1".
+// velocities known (negative while sliding), step of the last update, time between touch and the
+// end of its step. Vectors change sign when the partners swap, so their flag is "1".
 template <>
 class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
  public:
@@ -45,7 +49,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
         slots_setting_(3.0),
         slots_(0),
         offset_(-1),
-        order_(0) {}
+        order_(0),
+        events_(false) {}
 
   void registerSettings(Settings& settings) {
     settings.registerDoubleSetting("multistepOrder", slots_setting_, 3.0);
@@ -64,6 +69,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     }
     hsetup->add_history_value("spring_dashpot_count", "0");
     hsetup->add_history_value("spring_dashpot_step", "0");
+    hsetup->add_history_value("spring_dashpot_since", "0");
   }
 
   void connectToProperties(PropertyRegistry& registry) {
@@ -79,6 +85,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
                      "a coefficient >= 0");
     order_ = running_order();
+    events_ = order_ > 0 && integrator_follows_events();
     if (order_ > slots_) {
       const std::string order = std::to_string(order_);
       const std::string text = "tangential spring_dashpot: the integrator that runs is of order " +
@@ -93,30 +100,50 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
                          ForceData& j_forces) {
     if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_TANGENTIAL_MODEL;
     double* const history = &sidata.contact_history[offset_];
-    const bool update =
+    const bool renewed =
         sidata.computeflag && (sidata.shearupdate || missed_update_at_setup(history));
     Past past;
-    if (update) past = advance(sidata, history);
+    if (renewed) past = advance(sidata, history);
 
     const double velocity[3] = {sidata.vtr1, sidata.vtr2, sidata.vtr3};
     double spring[3] = {history[0], history[1], history[2]};
-    double tangential[3], stuck[3];
-    for (int d = 0; d < 3; ++d) stuck[d] = -(sidata.kt * spring[d] + sidata.gammat * velocity[d]);
+    double tangential[3];
+    const double friction = friction_[sidata.itype][sidata.jtype] * sidata.kn;
     bool sliding = count(history) < 0.0 && sidata.kt > 0.0;
-    if (update || !sliding) {
-      const double cap = friction_[sidata.itype][sidata.jtype] * sidata.kn * sidata.deltan;
-      sliding = rodpack::tangential_force(sidata.kt, sidata.gammat, std::max(cap, 0.0), spring,
-                                          velocity, tangential);
+    FrictionForce law = {};
+    if (renewed && events_ && past.alive && sidata.gammat > 0.0) {
+      FrictionStep step = {sidata.kt,
+                           sidata.gammat,
+                           friction * sidata.deltan,
+                           -friction * sidata.vn,
+                           update->dt,
+                           {},
+                           past.known,
+                           {},
+                           past.sliding};
+      for (int k = 0; k < past.known; ++k)
+        std::copy(history + 3 * (k + 1), history + 3 * (k + 2), step.velocity[k]);
+      std::copy(past.spring, past.spring + 3, step.spring_before);
+      law = rodpack::friction_force(step, spring);
+      std::copy(law.force, law.force + 3, tangential);
+      sliding = law.slides;
+    } else if (renewed || !sliding) {
+      for (int d = 0; d < 3; ++d)
+        law.former[d] = -(sidata.kt * spring[d] + sidata.gammat * velocity[d]);
+      sliding = rodpack::tangential_force(sidata.kt, sidata.gammat,
+                                          std::max(friction * sidata.deltan, 0.0), spring, velocity,
+                                          tangential);
+      law.slides = sliding;
     }
     // A sliding contact's spring alone carries the force: taken from it, the force is the same when
     // it is evaluated again in the same step.
     if (sliding && sidata.kt > 0.0)
       for (int d = 0; d < 3; ++d) tangential[d] = -sidata.kt * spring[d];
-    if (update) {
+    if (renewed) {
       std::copy(spring, spring + 3, history);
       if (sliding) count(history) = -count(history);
       if (ContactEvents* events = ContactEvents::armed())
-        report(sidata, past, stuck, tangential, sliding, *events);
+        report(sidata, past, law, tangential, *events);
     }
     apply(sidata, tangential, i_forces, j_forces);
     if (ContactRecorder* recorder = ContactRecorder::armed())
@@ -131,7 +158,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     ContactEvents* const events = ContactEvents::armed();
     if (events && step(history) == static_cast<double>(update->ntimestep) - 1.0)
       report_end(events->as_if_in_contact(scdata), history, *events);
-    std::fill_n(history, 3 * (slots_ + 1) + 2, 0.0);
+    std::fill_n(history, 3 * (slots_ + 1) + 3, 0.0);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
@@ -139,6 +166,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
  private:
   double& count(double* history) const { return history[3 * (slots_ + 1)]; }
   double& step(double* history) const { return history[3 * (slots_ + 1) + 1]; }
+  double& since(double* history) const { return history[3 * (slots_ + 1) + 2]; }
 
   /// Order of the multistep integrator among the fixes, 0 if none: velocity Verlet.
   int running_order() const {
@@ -155,6 +183,13 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     return order;
   }
 
+  bool integrator_follows_events() const {
+    int dim = 0;
+    for (int i = 0; i < modify->nfix; ++i)
+      if (modify->fix[i]->extract("contact_events", dim)) return true;
+    return false;
+  }
+
   /// Whether a contact still needs the update of this step when a run is set up. It does after
   /// `restart N`, which saves the contacts of pairs as they were before the forces of its step.
   bool missed_update_at_setup(double* history) const {
@@ -169,7 +204,10 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   /// What a contact was at the last evaluation, turned into the present plane of contact.
   struct Past {
     bool alive = false, fresh = false, sliding = false;  // fresh: that evaluation was its first
-    double since = 0.0;                                  // touch, if it was not alive, s
+    int known = 0;       // velocities in the history, that of now included, at most 3
+    double since = 0.0;  // touch, in the step that it or the last evaluation made, s
+    bool moved = false;  // whether events changed the motion of its bodies in the last step, to:
+    ContactEvents::Motion change;
     double spring[3] = {0.0, 0.0, 0.0}, velocity[3] = {0.0, 0.0, 0.0};
   };
 
@@ -186,7 +224,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     past.alive = count(history) != 0.0 && step(history) == now - 1.0;
     step(history) = now;
     if (!past.alive) {
-      past.since = start_spring(sidata, dt, history);
+      past.since = since(history) = start_spring(sidata, dt, history);
       std::fill_n(newest, 3 * slots_, 0.0);
       std::copy(velocity, velocity + 3, newest);
       count(history) = 1.0;
@@ -195,6 +233,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
 
     const int known = static_cast<int>(std::fabs(count(history)));
     past.fresh = known == 1;
+    past.since = since(history);
+    past.known = std::min({known + 1, slots_, 3});
     past.sliding = count(history) < 0.0;
     turn_with_contact(sidata.en, history);
     if (order_ == 0) {
@@ -206,6 +246,10 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     }
     const rodpack::MultistepWeights& weights = rodpack::multistep_weights(order_, known);
     for (int k = 0; k < slots_; ++k) turn_with_contact(sidata.en, newest + 3 * k);
+    if (ContactEvents* events = ContactEvents::armed()) {
+      past.moved = events->motion_changed(sidata, past.change);
+      if (past.moved) follow_bodies(sidata.en, known, past.change, history);
+    }
     std::copy(history, history + 3, past.spring);
     std::copy(newest, newest + 3, past.velocity);
     for (int d = 0; d < 3; ++d)
@@ -249,53 +293,61 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     return since_touch;
   }
 
-  /// Reports the events of a contact whose force is `force`, and would be `stuck` without the cap.
-  void report(const SurfacesIntersectData& contact, const Past& past, const double (&stuck)[3],
-              const double (&force)[3], bool sliding, ContactEvents& events) const {
+  /// Puts into the spring and the velocities of the past what an event in the last step, which they
+  /// could not know of, did to the bodies.
+  void follow_bodies(const double* en, int known, ContactEvents::Motion& change,
+                     double* history) const {
+    in_plane(en, change.acceleration);
+    in_plane(en, change.velocity);
+    in_plane(en, change.displacement);
+    for (int d = 0; d < 3; ++d) {
+      history[d] += change.displacement[d];
+      for (int k = 0; k < std::min(known, slots_); ++k)
+        history[3 * (k + 1) + d] += change.velocity[d] - k * update->dt * change.acceleration[d];
+    }
+  }
+
+  /// Reports the events of a contact under `force`.
+  void report(const SurfacesIntersectData& contact, const Past& past, const FrictionForce& law,
+              const double (&force)[3], ContactEvents& events) const {
     const double dt = update->dt, kt = contact.kt, gamma = contact.gammat;
     double now[3], rate[3];
     if (!past.alive) {
       if (!(past.since > 0.0)) return;
       const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-      for (int d = 0; d < 3; ++d) rate[d] = sliding ? force[d] / past.since : -kt * velocity[d];
-      events.add(contact, force, rate, past.since, !sliding && gamma > 0.0);
+      for (int d = 0; d < 3; ++d) rate[d] = law.slides ? force[d] / past.since : -kt * velocity[d];
+      events.add(contact, force, rate, past.since, !law.slides && gamma > 0.0);
       return;
     }
-    double before[3];
-    for (int d = 0; d < 3; ++d) before[d] = -(kt * past.spring[d] + gamma * past.velocity[d]);
-    if (sliding) {
-      if (past.sliding) return;
-      // The cap was reached within the step.
-      const double friction = friction_[contact.itype][contact.jtype] * contact.kn;
-      const double beyond_before =
-          vectorMag3D(before) - friction * (contact.deltan + dt * contact.vn);
-      const double beyond_now = vectorMag3D(stuck) - friction * contact.deltan;
-      if (!(beyond_before < 0.0) || !(beyond_now > 0.0)) return;
-      const double since = rodpack::time_since_zero(beyond_before, beyond_now, dt);
-      if (!(since > 0.0)) return;
+    if (law.changed) {
+      if (!(law.since > 0.0)) return;
       for (int d = 0; d < 3; ++d) {
-        now[d] = force[d] - stuck[d];
-        rate[d] = now[d] / since;
+        now[d] = force[d] - law.former[d];
+        rate[d] = law.jumps ? 0.0 : now[d] / law.since;
       }
-      events.add(contact, now, rate, since);
+      events.add(contact, now, rate, law.since, law.jumps);
       return;
     }
-    ContactEvents::Motion change;
-    if (past.sliding || !events.motion_changed(contact, change)) return;
-    in_plane(contact.en, change.acceleration);
-    in_plane(contact.en, change.velocity);
-    in_plane(contact.en, change.displacement);
-    events.add(contact, rodpack::dashpot_change(gamma, change.acceleration, change.velocity,
-                                                change.displacement, dt));
+    if (law.slides || past.sliding || !past.moved) return;
+    const ContactEvents::Motion& change = past.change;
+    ForceChange of_dashpot = rodpack::dashpot_change(gamma, change.acceleration, change.velocity,
+                                                     change.displacement, dt);
+    events.add(contact, of_dashpot);
     if (!past.fresh) return;
-    // Two evaluations after touch give the rate that was guessed at touch.
+    // Two evaluations after touch give the rate that was guessed at touch, as constant since then.
+    ForceChange missed;
+    const double since = past.since;
     for (int d = 0; d < 3; ++d) {
-      const double at_touch = before[d] - gamma * change.velocity[d];
-      const double applied = -kt * past.velocity[d] - gamma * change.acceleration[d];
-      rate[d] = (force[d] - at_touch) / dt - applied;
-      now[d] = rate[d] * dt;
+      const double at_touch = -(kt * past.spring[d] + gamma * past.velocity[d]);
+      const double applied =
+          -kt * (past.velocity[d] - change.velocity[d]) - gamma * change.acceleration[d];
+      missed.rate[d] = (force[d] - at_touch) / dt - applied;
+      missed.now[d] = missed.rate[d] * dt;
+      missed.impulse[d] = 0.5 * missed.rate[d] * (dt * dt - since * since);
+      missed.sweep[d] =
+          missed.rate[d] * (dt * dt * dt / 6.0 - since * since * (0.5 * dt + since / 3.0));
     }
-    events.add(contact, now, rate, dt);
+    events.add(contact, missed);
   }
 
   /// Reports that a contact has opened within the step: `contact` goes on with negative overlap.
@@ -366,6 +418,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   int slots_;             // N: velocities held per contact
   int offset_;            // of the spring in a contact's history
   int order_;             // of the integrator that runs, 0: velocity Verlet
+  bool events_;           // whether that integrator follows events
 };
 
 }  // namespace ContactModels
