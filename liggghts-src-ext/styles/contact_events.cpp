@@ -7,6 +7,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "fix_multisphere.h"
 #include "fix_property_atom.h"
 #include "modify.h"
 #include "update.h"
@@ -19,8 +20,8 @@ using rodpack::ForceChange;
 namespace {
 
 constexpr int change_values = sizeof(ContactEvents::Changes) / sizeof(double);
-constexpr int motion_values = sizeof(ContactEvents::AtomMotion) / sizeof(double);
-static_assert(change_values == 24 && motion_values == 19, "plain doubles, stored per atom");
+constexpr int motion_values = 2 * sizeof(ContactEvents::AtomMotion) / sizeof(double);
+static_assert(change_values == 24 && motion_values == 38, "plain doubles, stored per atom");
 
 FixPropertyAtom* add_property(Modify* modify, const char* name, int values, bool restart,
                               const char* caller) {
@@ -79,8 +80,8 @@ const ContactEvents::Changes& ContactEvents::changes(int i) const {
   return *reinterpret_cast<Changes*>(changes_->array_atom[i]);
 }
 
-ContactEvents::AtomMotion& ContactEvents::motion(int i) const {
-  return *reinterpret_cast<AtomMotion*>(motion_->array_atom[i]);
+ContactEvents::Motions& ContactEvents::motions(int i) const {
+  return *reinterpret_cast<Motions*>(motion_->array_atom[i]);
 }
 
 void ContactEvents::add(const Contact& contact, const double (&now)[3], const double (&rate)[3],
@@ -95,6 +96,8 @@ void ContactEvents::add(const Contact& contact, const double (&now)[3], const do
 }
 
 void ContactEvents::add(const Contact& contact, const ForceChange& on_i) {
+  if (bodies_->belongs_to(contact.i) < 0) return;
+  if (!contact.is_wall && bodies_->belongs_to(contact.j) < 0) return;
   double turn[3], lever[3], rate[3];
   turning_rate(contact, turn);
   const double share = contact.is_wall ? contact.area_ratio : 1.0;
@@ -119,8 +122,9 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i) {
 }
 
 const ContactEvents::AtomMotion* ContactEvents::changed_motion(int i) const {
-  const AtomMotion& found = motion(i);
-  return found.step == static_cast<double>(update->ntimestep) ? &found : NULL;
+  const Motions& found = motions(i);
+  const double now = static_cast<double>(update->ntimestep);
+  return found.last.step == now ? &found.last : found.before.step == now ? &found.before : NULL;
 }
 
 bool ContactEvents::motion_changed(const Contact& contact, Motion& change) const {
@@ -205,8 +209,19 @@ void ContactEvents::clear() {
 
 void ContactEvents::begin_publishing() {
   if (comm->nprocs == 1) return;  // the step in each entry says which ones count
-  for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
-    std::fill_n(motion_->array_atom[i], motion_values, 0.0);
+  for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
+    if (i < atom->nlocal)
+      motions(i).before = motions(i).last;
+    else
+      motions(i).before = AtomMotion();
+    motions(i).last = AtomMotion();
+  }
+}
+
+void ContactEvents::publish(int i, const AtomMotion& motion) {
+  if (comm->nprocs == 1) motions(i).before = motions(i).last;
+  motions(i).last = motion;
+  motions(i).last.step = static_cast<double>(update->ntimestep + 1);
 }
 
 void ContactEvents::end_publishing() {
@@ -215,6 +230,10 @@ void ContactEvents::end_publishing() {
   // A body belongs to one rank, which has set its spheres wherever they are owned.
   motion_->do_reverse_comm();
   motion_->do_forward_comm();
+}
+
+void ContactEvents::renew_ghosts() {
+  if (follows_jump_) motion_->do_forward_comm();
 }
 
 }  // namespace LAMMPS_NS

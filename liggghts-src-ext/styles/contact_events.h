@@ -19,7 +19,10 @@ class ContactEvents : protected Pointers {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::SurfacesCloseData ClosePair;
 
-  explicit ContactEvents(class LAMMPS* lmp) : Pointers(lmp) {}
+  /// `bodies`: whose spheres are corrected. A contact of a sphere that belongs to none has no
+  /// events: what its partner would gain, it would not lose.
+  ContactEvents(class LAMMPS* lmp, const class FixMultisphere* bodies)
+      : Pointers(lmp), bodies_(bodies) {}
   ~ContactEvents() { disarm(); }
 
   // ---- for the contact models
@@ -34,10 +37,11 @@ class ContactEvents : protected Pointers {
            bool jumps = false);
   void add(const Contact& contact, const rodpack::ForceChange& on_i);
 
-  /// By how much the motion of i's surface relative to j's, at the contact, has changed in the last
-  /// step because forces jumped; false if it has not.
+  /// By how much the motion of i's surface relative to j's, at the contact, has changed in the step
+  /// before because forces jumped; false if it has not. Also right at set-up, for the evaluation
+  /// that is repeated there.
   struct Motion {
-    double acceleration[3], velocity[3], displacement[3];  // seen at the end of the last step, SI
+    double acceleration[3], velocity[3], displacement[3];  // seen at the end of that step, SI
   };
   bool motion_changed(const Contact& contact, Motion& change) const;
 
@@ -73,21 +77,28 @@ class ContactEvents : protected Pointers {
     double angular_acceleration[3], angular_velocity[3], rotation[3];
     double step;  // at whose end it happened, plus 1; 0: never
   };
-  AtomMotion& motion(int i) const;
-  /// Before motion() is set for the spheres of the bodies that this rank owns, and after.
+  /// Before publish() is called for the spheres of the bodies that this rank owns, and after.
   void begin_publishing();
+  void publish(int i, const AtomMotion& motion);
   void end_publishing();
+  /// After the neighbour lists, and with them the ghosts, were made anew.
+  void renew_ghosts();
 
  private:
+  struct Motions {
+    AtomMotion last, before;  // a restart may go on from contacts of one step before
+  };
+  Motions& motions(int i) const;
   const AtomMotion* changed_motion(int i) const;
 
   static ContactEvents* armed_;
+  const class FixMultisphere* bodies_;
   class FixPropertyAtom* changes_ = NULL;
   class FixPropertyAtom* motion_ = NULL;
   std::vector<int> changed_;
   bool local_jump_ = false, any_jumped_ = false;
-  bool pending_ = true;        // motions may have changed in this step; true after a restart
-  bool follows_jump_ = false;  // or in the last one
+  // Whether motions may have changed in this step, in the last one; unknown after a restart.
+  bool pending_ = true, follows_jump_ = true;
 };
 
 }  // namespace LAMMPS_NS

@@ -67,7 +67,7 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
 void FixMultisphereAB::parse(int narg, char** arg) {
   // The base class reads its own keywords only up to the first one of ours, hence all of them here.
   StyleArguments arguments(lmp, narg, arg);
-  bool events = false;
+  bool events = true;
   while (arguments.more()) {
     const std::string keyword = arguments.word("", "");
     if (keyword == "allow_group_and_set")
@@ -81,7 +81,7 @@ void FixMultisphereAB::parse(int narg, char** arg) {
                      "', expected order, planar, events, allow_group_and_set or allow_heatsource");
   }
   // First order has nothing to lose at an event.
-  if (events && options_.order() > 1) events_.reset(new ContactEvents(lmp));
+  if (events && options_.order() > 1) events_.reset(new ContactEvents(lmp, this));
 }
 
 void FixMultisphereAB::post_create() {
@@ -150,6 +150,11 @@ void FixMultisphereAB::initial_integrate(int) {
   if (events_) events_->arm();
 }
 
+void FixMultisphereAB::pre_force(int vflag) {
+  FixMultisphere::pre_force(vflag);
+  if (events_ && neighbor->ago == 0) events_->renew_ghosts();
+}
+
 void FixMultisphereAB::final_integrate() {
   // Velocities are those of this time already, on ghosts too: only the forces are missing.
   calc_force(false);
@@ -166,6 +171,7 @@ double FixMultisphereAB::moment_about_z(int body) const {
 
 void FixMultisphereAB::advance_planar(int body) {
   if (evaluations_->get(body) == 0) require_planar(body);
+  if (events_) move_planar(body);
 
   double *x = xcm_(body), *v = vcm_(body), *q = quat_(body);
   const double *force = fcm_(body), mass = mass_(body), moment = moment_about_z(body);
@@ -209,6 +215,7 @@ void FixMultisphereAB::set_axes_planar(int body) {
 
 void FixMultisphereAB::advance_spatial(int body) {
   if (evaluations_->get(body) == 0) require_inertia(body);
+  if (events_) move_spatial(body);
 
   double *x = xcm_(body), *v = vcm_(body), *l = angmom_(body), *q = quat_(body);
   const double *force = fcm_(body), *torque = torque_(body), mass = mass_(body);

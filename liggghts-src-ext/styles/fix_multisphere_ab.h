@@ -32,6 +32,7 @@ class FixMultisphereAB : public FixMultisphere {
   void pre_delete(bool unfixflag) override;
   void init() override;
   void initial_integrate(int) override;
+  void pre_force(int) override;
   void final_integrate() override;
   void reset_dt() override;
   void restart(char*) override;
@@ -64,6 +65,8 @@ class FixMultisphereAB : public FixMultisphere {
   void advance_planar(int body);
   void advance_spatial(int body);
   void set_axes_planar(int body);
+  void move_planar(int body);
+  void move_spatial(int body);
 
   // events of contacts
   struct BodyMotion;
@@ -71,7 +74,8 @@ class FixMultisphereAB : public FixMultisphere {
   void sum_changes();
   void correct_planar(int body, const ContactEvents::Changes& sum, BodyMotion& change);
   void correct_spatial(int body, const ContactEvents::Changes& sum, BodyMotion& change);
-  void publish(const std::vector<BodyMotion>& changes);
+  void keep_motion(int body, const ContactEvents::Changes& sum, const BodyMotion& change);
+  void publish(const std::vector<BodyMotion>& motions);
 
   MultistepOptions options_;
   int order_;
@@ -87,6 +91,10 @@ class FixMultisphereAB : public FixMultisphere {
   ScalarContainer<int>* layout_;       // what the records below hold; negative
   ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at order + 1
   ScalarContainer<double>* timestep_;  // the rates are this far apart, s
+  // Displacement (m), rotation (rad) and the changes of velocity (m/s) and angular momentum (kg
+  // m^2/s) by events of the last step. They wait for the next one, so that bodies, spheres and
+  // forces of a step, and of a restart file, belong together.
+  VectorContainer<double, 12>* missed_motion_;
   // Records of the past, oldest first. Short ones only with `planar yes`: with `planar auto` the
   // question is open until the run starts, and planar rates then fill the front of the long ones.
   std::vector<PlanarRecord*> past_planar_;

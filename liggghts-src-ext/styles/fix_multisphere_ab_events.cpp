@@ -6,7 +6,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_multisphere_ab.h"
 #include "math_extra.h"
 #include "rodpack/rigid_motion.h"
@@ -28,6 +27,14 @@ namespace {
 void mask(const bool* on, ForceChange& change) {
   for (int d = 0; d < 3; ++d)
     if (!on[d]) change.now[d] = change.rate[d] = change.impulse[d] = change.sweep[d] = 0.0;
+}
+
+/// dq/dt = (0, turn) q / 2, with `turn` in the space frame.
+void turning_rate(const double* turn, const double* q, double* rate) {
+  rate[0] = 0.5 * (-turn[0] * q[1] - turn[1] * q[2] - turn[2] * q[3]);
+  rate[1] = 0.5 * (turn[0] * q[0] + turn[1] * q[3] - turn[2] * q[2]);
+  rate[2] = 0.5 * (turn[1] * q[0] + turn[2] * q[1] - turn[0] * q[3]);
+  rate[3] = 0.5 * (turn[2] * q[0] + turn[0] * q[2] - turn[1] * q[1]);
 }
 
 }  // namespace
@@ -58,10 +65,6 @@ void FixMultisphereAB::sum_changes() {
   changes_.clear();
   place_.resize(n_body(), -1);
   for (int i : events_->changed()) {
-    if (body_[i] < 0)
-      error->one(FLERR,
-                 "Fix multisphere/ab: 'events yes' corrects bodies only, but a sphere with a "
-                 "contact belongs to none: use 'events no'");
     const int body = map(body_[i]);
     if (body < 0 || !domain->is_owned_or_first_ghost(i)) continue;
     if (place_[body] < 0) {
@@ -91,19 +94,11 @@ void FixMultisphereAB::correct_planar(int body, const ContactEvents::Changes& su
     change.acceleration[d] = sum.force.now[d] / mass;
     change.velocity[d] = sum.force.impulse[d] / mass;
     change.displacement[d] = sum.force.sweep[d] / mass;
-    vcm_(body)[d] += change.velocity[d];
-    xcm_(body)[d] += change.displacement[d];
   }
   change.angular_acceleration[2] = sum.torque.now[2] / moment;
   change.angular_velocity[2] = sum.torque.impulse[2] / moment;
   change.rotation[2] = sum.torque.sweep[2] / moment;
-  omega_(body)[2] += change.angular_velocity[2];
-  angmom_(body)[2] = moment * omega_(body)[2];
-  double q[4];
-  std::copy(quat_(body), quat_(body) + 4, q);
-  rodpack::rotate_about_z(change.rotation[2], q);
-  std::copy(q, q + 4, quat_(body));
-  set_axes_planar(body);
+  keep_motion(body, sum, change);
 
   if (evaluations_->get(body) == 0) return;  // no past yet
   for (int k = 1; k < order_; ++k) {
@@ -130,35 +125,19 @@ void FixMultisphereAB::correct_spatial(int body, const ContactEvents::Changes& s
     change.acceleration[d] = sum.force.now[d] / mass;
     change.velocity[d] = sum.force.impulse[d] / mass;
     change.displacement[d] = sum.force.sweep[d] / mass;
-    vcm_(body)[d] += change.velocity[d];
-    xcm_(body)[d] += change.displacement[d];
-    angmom_(body)[d] += sum.torque.impulse[d];
   }
   rodpack::angular_velocity(q, sum.torque.now, inertia, change.angular_acceleration);
   rodpack::angular_velocity(q, sum.torque.impulse, inertia, change.angular_velocity);
   rodpack::angular_velocity(q, sum.torque.sweep, inertia, change.rotation);
 
-  // dq = (0, rotation) q / 2 in the space frame
-  const auto turned = [](const double* turn, const double* by, double* rate) {
-    rate[0] = 0.5 * (-turn[0] * by[1] - turn[1] * by[2] - turn[2] * by[3]);
-    rate[1] = 0.5 * (turn[0] * by[0] + turn[1] * by[3] - turn[2] * by[2]);
-    rate[2] = 0.5 * (turn[1] * by[0] + turn[2] * by[1] - turn[0] * by[3]);
-    rate[3] = 0.5 * (turn[2] * by[0] + turn[0] * by[2] - turn[1] * by[1]);
-  };
-  double gain[4];
-  turned(change.rotation, q, gain);
-  for (int d = 0; d < 4; ++d) q[d] += gain[d];
-  rodpack::normalise(q);
-  std::copy(q, q + 4, quat_(body));
-  MathExtra::q_to_exyz(q, ex_(body), ey_(body), ez_(body));
-  MathExtra::angmom_to_omega(angmom_(body), ex_(body), ey_(body), ez_(body), inertia, omega_(body));
+  keep_motion(body, sum, change);
 
   if (evaluations_->get(body) == 0) return;
   for (int k = 1; k < order_; ++k) {
     const double age = k * update->dt;
     rodpack::SpatialRates& rates =
         *reinterpret_cast<rodpack::SpatialRates*>((*past_spatial_[order_ - 1 - k])(body));
-    double momentum[3], turn[3];
+    double momentum[3], turn[3], gain[4];
     for (int d = 0; d < 3; ++d) {
       rates.velocity[d] += sum.force.past_momentum(d, age) / mass;
       rates.acceleration[d] += sum.force.past_force(d, age) / mass;
@@ -166,9 +145,52 @@ void FixMultisphereAB::correct_spatial(int body, const ContactEvents::Changes& s
       momentum[d] = sum.torque.past_momentum(d, age);
     }
     rodpack::angular_velocity(q, momentum, inertia, turn);
-    turned(turn, q, gain);
+    turning_rate(turn, q, gain);
     for (int d = 0; d < 4; ++d) rates.quaternion_rate[d] += gain[d];
   }
+}
+
+void FixMultisphereAB::keep_motion(int body, const ContactEvents::Changes& sum,
+                                   const BodyMotion& change) {
+  double* missed = (*missed_motion_)(body);
+  std::copy(change.displacement, change.displacement + 3, missed);
+  std::copy(change.rotation, change.rotation + 3, missed + 3);
+  std::copy(change.velocity, change.velocity + 3, missed + 6);
+  std::copy(sum.torque.impulse, sum.torque.impulse + 3, missed + 9);
+}
+
+void FixMultisphereAB::move_planar(int body) {
+  double* missed = (*missed_motion_)(body);
+  for (int d = 0; d < 2; ++d) {
+    xcm_(body)[d] += missed[d];
+    vcm_(body)[d] += missed[6 + d];
+  }
+  omega_(body)[2] += missed[11] / moment_about_z(body);
+  if (missed[5] != 0.0) {
+    double q[4];
+    std::copy(quat_(body), quat_(body) + 4, q);
+    rodpack::rotate_about_z(missed[5], q);
+    std::copy(q, q + 4, quat_(body));
+  }
+  std::fill_n(missed, 12, 0.0);
+}
+
+void FixMultisphereAB::move_spatial(int body) {
+  double* missed = (*missed_motion_)(body);
+  for (int d = 0; d < 3; ++d) {
+    xcm_(body)[d] += missed[d];
+    vcm_(body)[d] += missed[6 + d];
+    angmom_(body)[d] += missed[9 + d];
+  }
+  if (missed[3] != 0.0 || missed[4] != 0.0 || missed[5] != 0.0) {
+    double q[4], gain[4];
+    std::copy(quat_(body), quat_(body) + 4, q);
+    turning_rate(missed + 3, q, gain);
+    for (int d = 0; d < 4; ++d) q[d] += gain[d];
+    rodpack::normalise(q);
+    std::copy(q, q + 4, quat_(body));
+  }
+  std::fill_n(missed, 12, 0.0);
 }
 
 /// Tells the contacts of the changed bodies, for the next step, how the motion of each sphere has
@@ -184,7 +206,7 @@ void FixMultisphereAB::publish(const std::vector<BodyMotion>& motions) {
     const BodyMotion& of_body = motions[place_[body]];
     double arm[3];
     MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
-    ContactEvents::AtomMotion& motion = events_->motion(i);
+    ContactEvents::AtomMotion motion = {};
     const auto at_sphere = [&](const double* centre, const double* turn, double* result) {
       vectorCross3D(turn, arm, result);
       for (int d = 0; d < 3; ++d) result[d] += centre[d];
@@ -195,7 +217,7 @@ void FixMultisphereAB::publish(const std::vector<BodyMotion>& motions) {
     vectorCopy3D(of_body.angular_acceleration, motion.angular_acceleration);
     vectorCopy3D(of_body.angular_velocity, motion.angular_velocity);
     vectorCopy3D(of_body.rotation, motion.rotation);
-    motion.step = static_cast<double>(update->ntimestep + 1);
+    events_->publish(i, motion);
   }
   events_->end_publishing();
 }

@@ -23,7 +23,7 @@ int FixMultisphereAB::history_size(int layout) {
   const int order = -layout / 100 - 10;
   if (order < 1 || order > rodpack::max_multistep_order) return 0;
   const bool short_records = -layout / 10 % 10 == 1;
-  return 3 + (order - 1) * (short_records ? 6 : 13);
+  return 3 + 12 + (order - 1) * (short_records ? 6 : 13);
 }
 
 void FixMultisphereAB::add_history() {
@@ -35,6 +35,9 @@ void FixMultisphereAB::add_history() {
       "ab_evaluations", "comm_exchange_borders", "frame_invariant", "restart_yes");
   timestep_ = properties.addElementProperty<ScalarContainer<double> >(
       "ab_timestep", "comm_exchange_borders", "frame_invariant", "restart_yes");
+  missed_motion_ = properties.addElementProperty<VectorContainer<double, 12> >(
+      "ab_missed_motion", "comm_exchange_borders", "frame_invariant", "restart_yes");
+  missed_motion_->setDefaultValue(0.0);
   evaluations_->setDefaultValue(0);
   timestep_->setDefaultValue(0.0);
   if (options_.always_planar())

@@ -45,29 +45,40 @@ void planar_reference(const double* quat, double* reference) {
 
 void flatten_orientation(const double* reference, double* quat, double* ex, double* ey,
                          double* ez) {
-  const bool upright = reference[0] == 1.;
-  if (upright) {
-    turn_about_z(quat, quat[0], quat[3]);
-    quat[1] = quat[2] = 0.;
+  double flat[4] = {0., 0., 0., 0.};
+  if (reference[0] == 1.) {
+    turn_about_z(quat, flat[0], flat[3]);
   } else {
     double inverse[4] = {reference[0], -reference[1], -reference[2], -reference[3]};
     double twist[4], turn[4] = {0., 0., 0., 0.};
     MathExtra::quatquat(quat, inverse, twist);
     turn_about_z(twist, turn[0], turn[3]);
-    MathExtra::quatquat(turn, const_cast<double*>(reference), quat);
+    MathExtra::quatquat(turn, const_cast<double*>(reference), flat);
   }
-  MathExtra::q_to_exyz(quat, ex, ey, ez);
 
   // z components: those of the reference orientation, which a turn about z leaves alone
   double rx[3], ry[3], rz[3];
   MathExtra::q_to_exyz(const_cast<double*>(reference), rx, ry, rz);
+  double normal[3] = {rx[2], ry[2], rz[2]};
+  for (double& component : normal) {
+    if (std::abs(component) < rounding) component = 0.;
+    if (1. - std::abs(component) <= rounding) component = component > 0 ? 1. : -1.;
+  }
+
+  // What is flat already stays the same bit by bit: the spheres were set from it, and a run that
+  // goes on from a restart file sets them again.
   double* axes[3] = {ex, ey, ez};
-  const double normal[3] = {rx[2], ry[2], rz[2]};
+  bool is_flat = true;
+  for (int d = 0; d < 4; ++d) is_flat = is_flat && std::abs(flat[d] - quat[d]) < 1e-14;
+  for (int k = 0; k < 3; ++k) is_flat = is_flat && axes[k][2] == normal[k];
+  if (is_flat) return;
+
+  for (int d = 0; d < 4; ++d) quat[d] = flat[d];
+  MathExtra::q_to_exyz(quat, ex, ey, ez);
+
   for (int k = 0; k < 3; ++k) {
-    axes[k][2] = std::abs(normal[k]) < rounding ? 0. : normal[k];
-    if (1. - std::abs(normal[k]) > rounding) continue;
-    axes[k][0] = axes[k][1] = 0.;
-    axes[k][2] = normal[k] > 0 ? 1. : -1.;
+    axes[k][2] = normal[k];
+    if (std::abs(normal[k]) == 1.) axes[k][0] = axes[k][1] = 0.;
   }
 }
 

@@ -50,7 +50,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
         slots_(0),
         offset_(-1),
         order_(0),
-        events_(false) {}
+        events_(NULL) {}
 
   void registerSettings(Settings& settings) {
     settings.registerDoubleSetting("multistepOrder", slots_setting_, 3.0);
@@ -85,7 +85,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
                      "a coefficient >= 0");
     order_ = running_order();
-    events_ = order_ > 0 && integrator_follows_events();
+    events_ = followed_events();
     if (order_ > slots_) {
       const std::string order = std::to_string(order_);
       const std::string text = "tangential spring_dashpot: the integrator that runs is of order " +
@@ -183,11 +183,13 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     return order;
   }
 
-  bool integrator_follows_events() const {
+  /// The events that the integrator follows, null if it follows none.
+  ContactEvents* followed_events() const {
     int dim = 0;
     for (int i = 0; i < modify->nfix; ++i)
-      if (modify->fix[i]->extract("contact_events", dim)) return true;
-    return false;
+      if (void* found = modify->fix[i]->extract("contact_events", dim))
+        return static_cast<ContactEvents*>(found);
+    return NULL;
   }
 
   /// Whether a contact still needs the update of this step when a run is set up. It does after
@@ -246,8 +248,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     }
     const rodpack::MultistepWeights& weights = rodpack::multistep_weights(order_, known);
     for (int k = 0; k < slots_; ++k) turn_with_contact(sidata.en, newest + 3 * k);
-    if (ContactEvents* events = ContactEvents::armed()) {
-      past.moved = events->motion_changed(sidata, past.change);
+    if (events_) {
+      past.moved = events_->motion_changed(sidata, past.change);
       if (past.moved) follow_bodies(sidata.en, known, past.change, history);
     }
     std::copy(history, history + 3, past.spring);
@@ -414,11 +416,11 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   double** friction_;  // mu per type pair
   double** kt_;        // for contacts that have just opened: else sidata has them
   double** eta_t_;
-  double slots_setting_;  // as read; Settings knows only doubles
-  int slots_;             // N: velocities held per contact
-  int offset_;            // of the spring in a contact's history
-  int order_;             // of the integrator that runs, 0: velocity Verlet
-  bool events_;           // whether that integrator follows events
+  double slots_setting_;   // as read; Settings knows only doubles
+  int slots_;              // N: velocities held per contact
+  int offset_;             // of the spring in a contact's history
+  int order_;              // of the integrator that runs, 0: velocity Verlet
+  ContactEvents* events_;  // that the integrator follows, or null
 };
 
 }  // namespace ContactModels
