@@ -39,6 +39,13 @@ double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
+/// The smallest positive value, or `otherwise` if that is smaller.
+double smallest(const std::vector<double>& values, double otherwise) {
+  for (const double value : values)
+    if (value > 0) otherwise = std::min(otherwise, value);
+  return otherwise;
+}
+
 }  // namespace
 
 void plot_separation(const Comparison& comparison, const std::string& stem) {
@@ -48,6 +55,8 @@ void plot_separation(const Comparison& comparison, const std::string& stem) {
   const std::string limit = number_text(comparison.limit * factor);
   const double top =
       factor * std::max({largest(builtin.largest), largest(sampled.largest), comparison.limit});
+  const double bottom =
+      factor * smallest(builtin.largest, smallest(sampled.largest, comparison.limit));
   std::string mark;
   if (const auto time = builtin.parting_time())
     mark = "set arrow from " + number_text(*time) + ", graph 0 to " + number_text(*time) +
@@ -55,12 +64,12 @@ void plot_separation(const Comparison& comparison, const std::string& stem) {
   draw_figure(stem, 1.4,
               curve("builtin", builtin.time, builtin.largest, factor) +
                   curve("sampled", sampled.time, sampled.largest, factor) + mark +
-                  log_axis(1e-16, 10 * top) +
+                  log_axis(bottom / 3, 3 * top) +
                   "set mytics 10\nset xrange [0:" + number_text(builtin.time.back()) +
                   "]\n"
                   "set xlabel 'time (s)'\n"
-                  "set ylabel 'largest distance of a centre from rodpack (d_p)' noenhanced\n"
-                  "set key outside top center horizontal\n"
+                  "set ylabel 'largest distance from rodpack ({/:Italic d}_p)'\n"
+                  "set key outside top center horizontal maxcols 2\n"
                   "plot $sampled using 1:2 with lines linewidth 1.4 linecolor '" +
                   colour::grey +
                   "' title 'built-in, sampled bodies', "

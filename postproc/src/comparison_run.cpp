@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "rodpack/chain_geometry.h"
 #include "rodpack/comparison.h"
@@ -53,6 +54,9 @@ FinalBed read_bed(const std::string& bodies_dump, const std::string& contacts_du
   const Packing packing = read_packing(frame);
   const SolidFraction phi = solid_fraction(packing);
   bed.height = packing.surface - packing.walls.floor;
+  bed.mean_height = std::accumulate(packing.y.begin(), packing.y.end(), 0.0) /
+                        static_cast<double>(packing.size()) -
+                    packing.walls.floor;
   bed.covered_below_surface = phi.covered_below_surface;
   bed.slice_solid_fraction = phi.up_to_surface;
   try {

@@ -106,6 +106,7 @@ void add_bed(Rows& rows) {
   rows.add("solid_fraction_central_slice", "1",
            [](const MethodRun& run) { return run.bed.slice_solid_fraction; });
   rows.add("bed_height", "m", [](const MethodRun& run) { return run.bed.height; });
+  rows.add("mean_height_of_centres", "m", [](const MethodRun& run) { return run.bed.mean_height; });
   const auto nematic = [&rows](const std::string& name, const std::string& unit,
                                double NematicOrder::*member) {
     rows.add(name, unit, [=](const MethodRun& run) -> Value {

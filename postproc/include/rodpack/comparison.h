@@ -59,6 +59,7 @@ struct RunSeries {
 /// The bed of the last frame.
 struct FinalBed {
   double height = 0;                           // of the surface, m
+  double mean_height = 0;                      // of the centres above the floor, m
   double covered_below_surface = 0;            // solid fraction phi: covered over bed area
   std::optional<double> slice_solid_fraction;  // coarse-grained; none in a bed lower than 3 omega
   std::optional<NematicOrder> orientation;     // none when all particles are close to a wall
@@ -82,7 +83,7 @@ MassProperties exact_mass_properties(const RunParameters& parameters);
 
 /// Wall-clock times per step of the built-in fix and of ours, one per round, s.
 struct StepTimes {
-  std::string state;  // of the bed: "falling", "at_rest"
+  std::string state;  // of the bed: "falling", "at_the_end"
   std::vector<double> builtin, rodpack;
 };
 
