@@ -188,7 +188,7 @@ void add_compare(CLI::App& app) {
       ->type_name("PROGRAM");
   command
       ->add_option("--inputs", options->inputs,
-                   "the folder inputs/; default: above rodpack or the working folder")
+                   "the folder inputs/; default: that of the repository")
       ->check(CLI::ExistingDirectory)
       ->type_name("FOLDER");
   const auto number = [command](const std::string& name, auto& value, const std::string& text,

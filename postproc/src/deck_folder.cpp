@@ -16,14 +16,13 @@ std::string find_deck(const std::string& name, const std::string& folder) {
     return fs::absolute(deck).string();
   }
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const fs::path& start : {program, fs::current_path()})
-    for (fs::path at = start;; at = at.parent_path()) {
-      const fs::path deck = at / "inputs" / name;
-      if (fs::exists(deck)) return deck.string();
-      if (at == at.parent_path()) break;
-    }
-  throw DataError("no deck inputs/" + name + " above " + program.string() + " or " +
-                  fs::current_path().string() + ": name the folder inputs/ with --inputs");
+  for (fs::path at = program; at != at.root_path(); at = at.parent_path())
+    if (fs::exists(at / "inputs" / name)) return (at / "inputs" / name).string();
+  const fs::path built_from = fs::path(RODPACK_INPUTS) / name;
+  if (!fs::exists(built_from))
+    throw DataError("no deck inputs/" + name + " above " + program.string() + ", nor " +
+                    built_from.string() + ": name the folder inputs/ with --inputs");
+  return built_from.string();
 }
 
 }  // namespace rodpack

@@ -231,7 +231,7 @@ TEST(StepTiming, PinBindsToSoManyProcessorsAndGivesThemBack) {
               HasSubstr(std::to_string(before + 1) + " ranks, found " + std::to_string(before)));
 }
 
-TEST(DeckFolder, DeckIsFoundAboveTheProgramOrWhereItIsSaid) {
+TEST(DeckFolder, DeckIsThatOfTheRepositoryOrWhereItIsSaid) {
   const std::string name = "comparison/in.comparison";
   const auto folder = fresh_folder();
   put(folder / name, "print 1\n");

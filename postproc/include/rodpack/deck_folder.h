@@ -8,7 +8,7 @@ namespace rodpack {
 
 /// The file `name` (such as "comparison/in.comparison") of the repository's inputs/. `folder`: that
 /// folder inputs/; empty: the first one that holds the deck in the folders above the running
-/// program, then in the working folder and those above it.
+/// program, else that of the repository it was built from.
 /// @throws DataError naming the deck and where it was looked for.
 std::string find_deck(const std::string& name, const std::string& folder);
 
