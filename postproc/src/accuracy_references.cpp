@@ -55,7 +55,8 @@ class Contact {
       slides_ = 0;
     } else {
       const int sign = kt_ * s + ct_ * vt > 0 ? 1 : -1;
-      s = sign * cap / kt_;  // shortened, as the law says, even where the dashpot then lets it stick
+      s = sign * cap /
+          kt_;  // shortened, as the law says, even where the dashpot then lets it stick
       start_sliding(sign, vn, vt);
     }
   }
@@ -81,8 +82,7 @@ class PairMotion : public HybridSystem {
  public:
   enum { X, Y, U, V, OMEGA, S, SIZE };
 
-  explicit PairMotion(const SpherePair& pair)
-      : pair_(pair), contact_(pair.law, 0.5 * pair.mass) {}
+  explicit PairMotion(const SpherePair& pair) : pair_(pair), contact_(pair.law, 0.5 * pair.mass) {}
   bool touching() const { return contact_.touching(); }
 
   void rate(const State& y, State& dy) const override {
@@ -217,8 +217,8 @@ PlanarState move(const RodOnFloor& rod, const PlanarState& start, double time, d
 }
 
 std::array<double, 4> symmetric_top(const std::array<double, 4>& start,
-                                    const std::array<double, 3>& omega, double along,
-                                    double across, double time) {
+                                    const std::array<double, 3>& omega, double along, double across,
+                                    double time) {
   const auto& [w, x, y, z] = start;
   const double axis[3] = {w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)};
   const double spin = axis[0] * omega[0] + axis[1] * omega[1] + axis[2] * omega[2];
@@ -231,10 +231,9 @@ std::array<double, 4> symmetric_top(const std::array<double, 4>& start,
   const double about_momentum = 0.5 * size / across * time;
   const double about_axis = 0.5 * spin * (1 - along / across) * time;
   const double s = size > 0 ? std::sin(about_momentum) / size : 0;
-  return product(product({std::cos(about_momentum), s * momentum[0], s * momentum[1],
-                          s * momentum[2]},
-                         start),
-                 {std::cos(about_axis), std::sin(about_axis), 0, 0});
+  return product(
+      product({std::cos(about_momentum), s * momentum[0], s * momentum[1], s * momentum[2]}, start),
+      {std::cos(about_axis), std::sin(about_axis), 0, 0});
 }
 
 }  // namespace rodpack

@@ -45,7 +45,7 @@ struct RodOnFloor {
 };
 
 struct PlanarState {
-  double x, y, angle;     // of the centre, m; of the rod against x, rad
+  double x, y, angle;    // of the centre, m; of the rod against x, rad
   double vx, vy, omega;  // m/s, rad/s
 };
 
@@ -58,8 +58,8 @@ PlanarState move(const RodOnFloor& rod, const PlanarState& start, double time, d
 /// axis of symmetry, and across it. The body turns about the constant angular momentum L at the
 /// rate |L| / across, and about its own axis at omega_1 (1 - along / across).
 std::array<double, 4> symmetric_top(const std::array<double, 4>& start,
-                                    const std::array<double, 3>& omega, double along,
-                                    double across, double time);
+                                    const std::array<double, 3>& omega, double along, double across,
+                                    double time);
 
 }  // namespace rodpack
 
