@@ -51,12 +51,12 @@ class Contact {
     } else if (guard == 1) {
       cut_ = !cut_;
     } else if (slides_ != 0) {
-      s = slides_ * cap / kt_;
+      s = slides_ * cap * inside / kt_;
       slides_ = 0;
     } else {
       const int sign = kt_ * s + ct_ * vt > 0 ? 1 : -1;
-      s = sign * cap /
-          kt_;  // shortened, as the law says, even where the dashpot then lets it stick
+      // shortened, as the law says, even where the dashpot then lets it stick
+      s = sign * cap * inside / kt_;
       start_sliding(sign, vn, vt);
     }
   }
@@ -70,6 +70,8 @@ class Contact {
   void start_sliding(int sign, double vn, double vt) {
     if (goes_on_sliding(sign, vn, vt) > 0) slides_ = sign;
   }
+
+  static constexpr double inside = 1 - 1e-15;  // so that rounding is no event
 
   double kn_, kt_, cn_, ct_, mu_;
   bool touching_ = false;

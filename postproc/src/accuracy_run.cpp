@@ -135,7 +135,10 @@ double loop_time(const std::string& output) {
 class Measurement {
  public:
   Measurement(const AccuracySettings& settings, const std::string& folder)
-      : settings_(settings), work_(folder + "/work") {}
+      : settings_(settings), liggghts_(settings.liggghts), work_(folder + "/work") {
+    // runs have another working folder
+    if (fs::exists(liggghts_.program)) liggghts_.program = fs::absolute(liggghts_.program).string();
+  }
 
   double error(const AccuracyScene& scene, const AccuracyMethod& method, double dt, long steps) {
     fs::remove(work_ + "/end.dump");
@@ -161,11 +164,12 @@ class Measurement {
 
  private:
   std::string run(const AccuracyScene& scene, const AccuracyMethod& method, double dt, long steps) {
-    return run_deck(settings_.liggghts, settings_.inputs + "/accuracy/" + scene.deck,
+    return run_deck(liggghts_, settings_.inputs + "/accuracy/" + scene.deck,
                     scene.variables_for(method, dt, steps), work_);
   }
 
   const AccuracySettings& settings_;
+  Liggghts liggghts_;
   std::string work_;
 };
 
