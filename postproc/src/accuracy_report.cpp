@@ -99,10 +99,11 @@ void draw(const Rows& rows, const std::string& scene, const std::vector<std::str
 }  // namespace
 
 std::optional<double> observed_order(const std::vector<double>& steps,
-                                     const std::vector<double>& errors, double floor) {
+                                     const std::vector<double>& errors, double asymptotic_from,
+                                     double floor) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i] < 25 || !(errors[i] > floor) || errors[i] > 0.05) continue;
+    if (steps[i] < asymptotic_from || !(errors[i] > floor) || errors[i] > 0.05) continue;
     const double u = std::log(steps[i]), v = std::log(errors[i]);
     n += 1;
     x += u;
@@ -115,7 +116,7 @@ std::optional<double> observed_order(const std::vector<double>& steps,
 }
 
 AccuracySummary summarise(const std::vector<AccuracyRow>& given, double steps_of_paper,
-                          double floor, double target) {
+                          double asymptotic_from, double floor, double target) {
   if (given.empty()) throw DataError("no rows to summarise");
   const auto rows = select(given, given.front().scene, given.front().method);
   AccuracySummary result;
@@ -126,7 +127,7 @@ AccuracySummary summarise(const std::vector<AccuracyRow>& given, double steps_of
     steps.push_back(row.steps_per_contact);
     errors.push_back(row.error);
   }
-  result.order = observed_order(steps, errors, floor);
+  result.order = observed_order(steps, errors, asymptotic_from, floor);
   result.paper_error = error_at(rows, steps_of_paper);
   // The coarsest step from which on all errors stay below the target.
   std::size_t first = rows.size();
@@ -154,11 +155,11 @@ void report_accuracy(const std::vector<AccuracyRow>& rows, const AccuracySetting
     const double of_paper = scene.contact_time / paper_step;
     const auto stock_rows = select(rows, name, "builtin");
     std::optional<AccuracySummary> stock;
-    if (!stock_rows.empty()) stock = summarise(stock_rows, of_paper);
+    if (!stock_rows.empty()) stock = summarise(stock_rows, of_paper, scene.asymptotic_from);
     for (const auto& method : settings.methods) {
       const auto these = select(rows, name, method);
       if (these.empty()) continue;
-      const auto s = summarise(these, of_paper);
+      const auto s = summarise(these, of_paper, scene.asymptotic_from);
       const auto none = std::optional<double>();
       table += "| " + name + " | " + method + " | " + or_dash(s.order, 3) + " | " +
                or_dash(s.paper_error) + " | " + cost(s.evaluations, s.at_once) + " | " +
@@ -180,8 +181,9 @@ void report_accuracy(const std::vector<AccuracyRow>& rows, const AccuracySetting
           std::to_string(settings.repeats) + " runs of " + std::to_string(settings.timed_steps) +
           " steps on one fixed core, times the number of steps; measured on " + processor() +
           ". Other load on the machine shows in them.\n\n"
-          "- order: observed, least squares over the errors between 1e-9 and 0.05 at 25 steps per "
-          "contact and more; –: fewer than three of them (exact to rounding, or too coarse)\n"
+          "- order: observed, least squares over the errors between 1e-9 and 0.05 from 25 steps "
+          "per contact on (free spin: all); –: fewer than three of them (exact to rounding, or too "
+          "coarse)\n"
           "- error at the paper's step: 1.1e-5 s, between rows of accuracy.csv\n"
           "- cost of an error of 1e-3: between rows; ≤: the coarsest step reaches it already; "
           "factor: of the same cost of `builtin` (velocity Verlet) over this one\n\n"

@@ -218,7 +218,7 @@ class AccuracyRun : public testing::Test {
  protected:
   AccuracyRun() {
     const auto scene = accuracy_scene("spin_planar");
-    const double half = 0.5 * (200 * scene.duration + 1e-3);
+    const double half = 0.5 * (800 * scene.duration + 1e-3);
     std::ofstream(folder_ / "fake")
         << "#!/bin/sh\necho run >> '" << (folder_ / "runs").string()
         << "'\ncat > end.dump << EOD\nITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX "

@@ -34,13 +34,14 @@ struct AccuracyScene {
   std::string deck;         // file name in the folder of decks
   DeckVariables variables;  // the same for all methods and steps
   bool planar = true;
-  double contact_time = 0;    // s, what steps_per_contact refers to
-  double duration = 0;        // simulated time, s
-  bool ends_on_time = false;  // the step has to divide the duration
-  double phase_speed = 0;     // m/s: `shift` spreads the first touches over a step at this speed;
-                              // 0: the deck's own `shift`
-  int copies = 1;             // over which the touches spread
-  double gravity = 0;         // m/s^2
+  double contact_time = 0;      // s, what steps_per_contact refers to
+  double duration = 0;          // simulated time, s
+  bool ends_on_time = false;    // the step has to divide the duration
+  double phase_speed = 0;       // m/s: `shift` spreads the first touches over a step at this speed;
+                                // 0: the deck's own `shift`
+  int copies = 1;               // over which the touches spread
+  double gravity = 0;           // m/s^2
+  double asymptotic_from = 25;  // steps per contact from which on errors show the order
   std::function<double(const Frame&)> error;  // of the end.dump
 
   long steps(double steps_per_contact) const;
@@ -88,12 +89,13 @@ struct AccuracySummary {
 };
 /// `steps_of_paper`: the paper's step in steps per contact; errors below `floor` are rounding.
 AccuracySummary summarise(const std::vector<AccuracyRow>& rows, double steps_of_paper,
-                          double floor = 1e-9, double target = 1e-3);
+                          double asymptotic_from = 25, double floor = 1e-9, double target = 1e-3);
 
 /// Observed order: slope of -log error over log steps by least squares, of the errors between
-/// `floor` and 0.05 at 25 steps or more per contact. None with fewer than three.
+/// `floor` and 0.05 from `asymptotic_from` steps per contact on. None with fewer than three.
 std::optional<double> observed_order(const std::vector<double>& steps,
-                                     const std::vector<double>& errors, double floor = 1e-9);
+                                     const std::vector<double>& errors, double asymptotic_from = 25,
+                                     double floor = 1e-9);
 
 /// accuracy.md and the figures `scene`_evaluations and `scene`_seconds (.png, .svg) in `folder`.
 void report_accuracy(const std::vector<AccuracyRow>& rows, const AccuracySettings& settings,
