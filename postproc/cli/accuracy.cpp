@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rodpack/accuracy.h"
 
-#include <cmath>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -30,6 +30,7 @@ void add_accuracy(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto& settings = options->settings;
   settings.inputs = RODPACK_INPUTS;
+  settings.scenes.push_back(settling_scene);
   auto* command = app.add_subcommand(
       "accuracy",
       "Error against cost of the integrators: runs small scenes with a known end at many time "
@@ -53,7 +54,7 @@ void add_accuracy(CLI::App& app) {
   };
   auto* scenes = command
                      ->add_option("--scenes", settings.scenes,
-                                  "scenes [default: " + names(accuracy_scene_names()) + "]")
+                                  "scenes [default: " + names(settings.scenes) + "]")
                      ->delimiter(',')
                      ->type_name("LIST");
   command
@@ -74,6 +75,10 @@ void add_accuracy(CLI::App& app) {
                                    "timed runs per scene and method [default: 5]")
                       ->check(CLI::Range(1, 1000))
                       ->type_name("N");
+  command->add_option("--seeds", settings.seeds, "runs of the settling rods per method and step")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->type_name("N");
   command->add_flag("--quick", options->quick,
                     "five scenes, three steps, one timed run: below a minute");
 
@@ -86,7 +91,8 @@ void add_accuracy(CLI::App& app) {
     }
     if (steps->count() == 0) s.steps = options->quick ? quick_steps : all_steps;
     try {
-      for (const auto& name : s.scenes) accuracy_scene(name);
+      for (const auto& name : s.scenes)
+        if (name != settling_scene) accuracy_scene(name);
       for (const auto& name : s.methods) accuracy_method(name);
     } catch (const DataError& error) {
       throw CLI::ValidationError(error.what());
@@ -97,7 +103,10 @@ void add_accuracy(CLI::App& app) {
                                    ", expected 3 to 1e5 steps per contact");
     if (s.liggghts.program.empty()) s.liggghts.program = liggghts_beside_this_program();
     const auto rows = measure_accuracy(s, options->out, std::cout);
-    report_accuracy(rows, s, options->out);
+    std::vector<SettlingRow> settling;
+    if (std::find(s.scenes.begin(), s.scenes.end(), settling_scene) != s.scenes.end())
+      settling = measure_settling(s, options->out, std::cout);
+    report_accuracy(rows, settling, s, options->out);
     // A place for the stability limit (rodpack/stability.h, stability.csv) once it is a library.
     std::cout << "written: " << options->out << "/accuracy.csv, accuracy.md, *_evaluations and "
               << "*_seconds .png .svg\n";

@@ -49,8 +49,12 @@ struct AccuracyScene {
   /// Every -var of a run.
   DeckVariables variables_for(const AccuracyMethod& method, double dt, long steps) const;
 };
+/// Name of the scene whose trajectories are chaotic, so that only means can be compared.
+constexpr const char* settling_scene = "settling";
+
 /// With its reference, which takes up to a second. @throws DataError naming those there are.
 AccuracyScene accuracy_scene(const std::string& name);
+/// All with a known end, that is without `settling_scene`.
 const std::vector<std::string>& accuracy_scene_names();
 
 struct AccuracyRow {
@@ -70,6 +74,7 @@ struct AccuracySettings {
   std::vector<double> steps;  // per contact
   int repeats = 5;            // of timed runs
   long timed_steps = 20000;
+  int seeds = 8;  // of the settling rods
 };
 
 /// Runs what is missing in `folder`/accuracy.csv, appends it there row by row, and returns all rows
@@ -77,6 +82,21 @@ struct AccuracySettings {
 /// the folder holds rows of other settings, or a run fails.
 std::vector<AccuracyRow> measure_accuracy(const AccuracySettings& settings,
                                           const std::string& folder, std::ostream& progress);
+
+/// 50 rods that have settled (inputs/accuracy/in.settling). Energies in J.
+struct SettlingRow {
+  std::string method;
+  double steps_per_contact;
+  int seed, rods;  // rods: still in the container
+  double kinetic, elastic;
+  double height;          // mean of the centres, in d_p
+  double solid_fraction;  // area of the rods centred below the mean height, over the area there
+};
+/// As measure_accuracy, in `folder`/settling.csv.
+std::vector<SettlingRow> measure_settling(const AccuracySettings& settings,
+                                          const std::string& folder, std::ostream& progress);
+/// Means over the seeds with standard errors, as a Markdown table.
+std::string settling_table(const std::vector<SettlingRow>& rows);
 
 /// What the rows of one scene and method tell.
 struct AccuracySummary {
@@ -98,8 +118,8 @@ std::optional<double> observed_order(const std::vector<double>& steps,
                                      double floor = 1e-9);
 
 /// accuracy.md and the figures `scene`_evaluations and `scene`_seconds (.png, .svg) in `folder`.
-void report_accuracy(const std::vector<AccuracyRow>& rows, const AccuracySettings& settings,
-                     const std::string& folder);
+void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<SettlingRow>& settling,
+                     const AccuracySettings& settings, const std::string& folder);
 
 }  // namespace rodpack
 
