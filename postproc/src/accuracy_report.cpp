@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -53,22 +54,28 @@ std::string or_dash(const std::optional<double>& value, int digits = 2) {
   return value ? number_text(*value, digits) : "–";
 }
 
-// A cost, with the factor that the stock method needs more (or less, below 1).
-std::string cost(const std::optional<double>& value, bool at_once) {
-  return value ? (at_once ? "≤ " : "") + number_text(*value, 3) : "not reached";
+// A cost to reach the target, or that of the finest step, which does not.
+std::string cost(const std::optional<double>& value, bool at_once, double finest) {
+  return value ? (at_once ? "≤ " : "") + number_text(*value, 3) : "> " + number_text(finest, 3);
 }
-std::string factor(const std::optional<double>& stock, const std::optional<double>& value) {
-  return stock && value ? number_text(*stock / *value, 2) : "–";
+
+// Cost of the stock method over that of this one; both may be bounds only.
+std::string factor(const std::optional<double>& stock, double finest_of_stock,
+                   const std::optional<double>& value) {
+  if (!value) return "–";
+  return stock ? number_text(*stock / *value, 2) : "> " + number_text(finest_of_stock / *value, 2);
 }
 
 void draw(const Rows& rows, const std::string& scene, const std::vector<std::string>& methods,
-          bool against_seconds, const std::string& stem) {
+          bool against_seconds, double paper_evaluations, const std::string& stem) {
   const std::map<std::string, std::string> colours = {
       {"builtin", colour::grey}, {"ab1", "#E69F00"}, {"ab2", "#56B4E9"},
       {"ab3", colour::blue},     {"ab4", "#009E73"}, {"ab3e", colour::vermilion}};
   std::string blocks, curves;
-  double largest = 1e-15;
-  int point = 0;
+  double largest = 1e-15, least_cost = INFINITY, most_cost = 0;
+  // open signs, so that curves on each other show
+  constexpr int points[] = {6, 4, 8, 10, 12, 14};
+  std::size_t point = 0;
   for (const auto& method : methods) {
     ++point;
     std::vector<double> cost, error;
@@ -77,22 +84,33 @@ void draw(const Rows& rows, const std::string& scene, const std::vector<std::str
       cost.push_back(against_seconds ? row.seconds : row.force_evaluations);
       error.push_back(row.error);
       largest = std::max(largest, row.error);
+      least_cost = std::min(least_cost, cost.back());
+      most_cost = std::max(most_cost, cost.back());
     }
     if (cost.empty()) continue;
     blocks += datablock(method, {cost, error});
     curves += (curves.empty() ? "plot " : ", ") + ("$" + method) +
-              " using 1:2 with linespoints linewidth 1.5 pointsize 0.8 pointtype " +
-              std::to_string(point + 3) + " linecolor '" + colours.at(method) + "'" +
+              " using 1:2 with linespoints linewidth 1.5 pointsize 1.6 pointtype " +
+              std::to_string(points[point - 1]) + " linecolor '" + colours.at(method) + "'" +
               (method == "builtin" ? " dashtype 2" : "") + " title '" + method + "'";
   }
   if (curves.empty()) return;
+  std::string paper;
+  if (!against_seconds && paper_evaluations > least_cost && paper_evaluations < most_cost) {
+    const std::string at = number_text(paper_evaluations) + ", graph ";
+    paper = "set arrow from " + at + "0 to " + at + "1 nohead dashtype 3 linecolor '#7F7F7F'\n" +
+            "set label \"the paper's step\" at " + at +
+            "0.02 rotate by 90 offset -0.7,0 textcolor '#7F7F7F'\n";
+  }
   draw_figure(stem, 1.35,
               blocks +
                   "set logscale xy\nset format xy '10^{%L}'\nset mxtics 10\nset mytics 10\n"
                   "set key outside right top\nset grid xtics ytics linecolor '#DDDDDD'\n"
                   "set xlabel '" +
                   (against_seconds ? "time of the loop (s)" : "force evaluations") +
-                  "'\nset ylabel 'error'\nset title '" + scene + "' noenhanced\nset yrange [:" +
+                  "'\nset xrange [" + number_text(0.8 * least_cost) + ":" +
+                  number_text(1.25 * most_cost) + "]\n" + paper +
+                  "set ylabel 'error'\nset title '" + scene + "' noenhanced\nset yrange [:" +
                   number_text(std::min(largest * 2, 10.0)) + "]\n" + curves + "\n");
 }
 
@@ -131,6 +149,8 @@ AccuracySummary summarise(const std::vector<AccuracyRow>& given, double steps_of
   AccuracySummary result;
   result.scene = rows.front().scene;
   result.method = rows.front().method;
+  result.finest_evaluations = rows.back().force_evaluations;
+  result.finest_seconds = rows.back().seconds;
   std::vector<double> steps, errors;
   for (const auto& row : rows) {
     steps.push_back(row.steps_per_contact);
@@ -170,32 +190,37 @@ void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<Set
       const auto these = select(rows, name, method);
       if (these.empty()) continue;
       const auto s = summarise(these, of_paper, scene.asymptotic_from);
-      const auto none = std::optional<double>();
-      table += "| " + name + " | " + method + " | " + or_dash(s.order, 3) + " | " +
-               or_dash(s.paper_error) + " | " + cost(s.evaluations, s.at_once) + " | " +
-               factor(stock ? stock->evaluations : none, s.evaluations) + " | " +
-               cost(s.seconds, s.at_once) + " | " +
-               factor(stock ? stock->seconds : none, s.seconds) + " |\n";
+      table +=
+          "| " + name + " | " + method + " | " + or_dash(s.order, 3) + " | " +
+          or_dash(s.paper_error) + " | " + cost(s.evaluations, s.at_once, s.finest_evaluations) +
+          " | " +
+          (stock ? factor(stock->evaluations, stock->finest_evaluations, s.evaluations) : "–") +
+          " | " + cost(s.seconds, s.at_once, s.finest_seconds) + " | " +
+          (stock ? factor(stock->seconds, stock->finest_seconds, s.seconds) : "–") + " |\n";
     }
     scenes += "| " + name + " | " + scene.error_is + " | " + scene.reference +
               (scene.agreement > 0 ? ": agree to " + number_text(scene.agreement, 2) : "") + " | " +
               number_text(scene.contact_time, 4) + " | " + number_text(of_paper, 3) + " |\n";
-    draw(rows, name, settings.methods, false, folder + "/" + name + "_evaluations");
-    draw(rows, name, settings.methods, true, folder + "/" + name + "_seconds");
+    const double at_paper = scene.duration / paper_step;
+    draw(rows, name, settings.methods, false, at_paper, folder + "/" + name + "_evaluations");
+    draw(rows, name, settings.methods, true, at_paper, folder + "/" + name + "_seconds");
   }
   write_text(
       folder + "/accuracy.md",
       "# Accuracy against cost\n\n"
       "Program: `" +
-          settings.liggghts.program + "`. Seconds: loop time per step, median of " +
-          std::to_string(settings.repeats) + " runs of " + std::to_string(settings.timed_steps) +
+          std::filesystem::absolute(settings.liggghts.program).lexically_normal().string() +
+          "`. Seconds: loop time per step, median of " + std::to_string(settings.repeats) +
+          " runs of " + std::to_string(settings.timed_steps) +
           " steps on one fixed core, times the number of steps; measured on " + processor() +
           ". Other load on the machine shows in them.\n\n"
           "- order: observed, least squares over the errors between 1e-9 and 0.05 from 25 steps "
           "per contact on (free spin: all); –: fewer than three of them (exact to rounding, or too "
           "coarse)\n"
           "- error at the paper's step: 1.1e-5 s, between rows of accuracy.csv\n"
-          "- cost of an error of 1e-3: between rows; ≤: the coarsest step reaches it already; "
+          "- cost of an error of 1e-3: between rows; ≤: the coarsest step reaches it already, >: "
+          "the "
+          "finest does not; "
           "factor: of the same cost of `builtin` (velocity Verlet) over this one\n\n"
           "| scene | method | order | error at the paper's step | force evaluations to 1e-3 | "
           "factor "

@@ -179,11 +179,12 @@ AccuracyScene rod_drop() {
   return scene;
 }
 
-AccuracyScene rod_rocking() {
+AccuracyScene rod_rocking(const std::string& name, double mu) {
   RodOnFloor rod = smooth_rod();
+  rod.law.mu = mu;
   rod.gravity = 9.81;
   const double speed = 0.05, angle = 5 * pi / 180, shift = 2.237e-6, spacing = 0.03;
-  auto scene = rods("rod_rocking", rod, angle);
+  auto scene = rods(name, rod, angle);
   scene.duration = 0.01;
   scene.ends_on_time = true;
   PlanarState start = {0, rod.radius + rod.places.back() * std::sin(angle) + 2e-5, angle, 0, -speed,
@@ -272,7 +273,8 @@ const std::vector<Named>& scenes() {
       {"rod_drop", rod_drop},
       {"spin_planar", [] { return spin("spin_planar", true); }},
       {"spin_3d", [] { return spin("spin_3d", false); }},
-      {"rod_rocking", rod_rocking}};
+      {"rod_rocking", [] { return rod_rocking("rod_rocking", 0.3); }},
+      {"rod_rocking_smooth", [] { return rod_rocking("rod_rocking_smooth", 0); }}};
   return all;
 }
 

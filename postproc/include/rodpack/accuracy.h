@@ -105,7 +105,8 @@ struct AccuracySummary {
   std::optional<double> paper_error;  // at the paper's step, between rows
   std::optional<double> evaluations;  // to reach `target`, between rows
   std::optional<double> seconds;
-  bool at_once = false;  // the coarsest step reaches it already
+  bool at_once = false;                               // the coarsest step reaches it already
+  double finest_evaluations = 0, finest_seconds = 0;  // of the finest step
 };
 /// `steps_of_paper`: the paper's step in steps per contact; errors below `floor` are rounding.
 AccuracySummary summarise(const std::vector<AccuracyRow>& rows, double steps_of_paper,
