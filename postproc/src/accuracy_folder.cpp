@@ -26,21 +26,29 @@ nlohmann::json common(const AccuracySettings& settings) {
           {"timed_steps", settings.timed_steps}};
 }
 
+std::string contents(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+bool has_rows(const std::string& file) {
+  const std::string text = contents(file);
+  return std::count(text.begin(), text.end(), '\n') > 1;
+}
+
 }  // namespace
 
 void claim_folder(const std::string& folder, const AccuracySettings& settings) {
   const std::string file = folder + "/settings.json";
   const auto wanted = common(settings);
-  std::ifstream in(file);
-  if (!in) {
-    if (fs::exists(folder + "/accuracy.csv"))
-      throw DataError(folder + ": holds accuracy.csv but no settings.json; expected a new folder");
+  if (!has_rows(folder + "/accuracy.csv") && !has_rows(folder + "/settling.csv")) {
     fs::create_directories(folder);
     write_text(file, wanted.dump(2) + "\n");
     return;
   }
-  const auto found = nlohmann::json::parse(in, nullptr, false);
-  if (!found.is_object()) throw DataError(file + ": expected a JSON object");
+  const auto found = nlohmann::json::parse(contents(file), nullptr, false);
+  if (!found.is_object())
+    throw DataError(file + ": expected the settings of the rows in " + folder + ", as JSON");
   for (const auto& [key, value] : wanted.items())
     if (!found.contains(key) || found.at(key) != value)
       throw DataError(file + ": " + key + " is " +
@@ -50,11 +58,7 @@ void claim_folder(const std::string& folder, const AccuracySettings& settings) {
 
 std::vector<std::vector<std::string>> read_fields(const std::string& file,
                                                   const std::string& header) {
-  std::string all;
-  {
-    std::ifstream in(file, std::ios::binary);
-    all.assign(std::istreambuf_iterator<char>(in), {});
-  }
+  const std::string all = contents(file);
   const auto last = all.rfind('\n');
   if (last == std::string::npos) {
     write_text(file, header + "\n");

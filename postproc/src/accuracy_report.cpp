@@ -100,7 +100,7 @@ void draw(const Rows& rows, const std::string& scene, const std::vector<std::str
     const std::string at = number_text(paper_evaluations) + ", graph ";
     paper = "set arrow from " + at + "0 to " + at + "1 nohead dashtype 3 linecolor '#7F7F7F'\n" +
             "set label \"the paper's step\" at " + at +
-            "0.02 rotate by 90 offset -0.7,0 textcolor '#7F7F7F'\n";
+            "0.02 rotate by 90 offset -1.1,0 textcolor '#7F7F7F'\n";
   }
   draw_figure(stem, 1.35,
               blocks +
