@@ -37,6 +37,17 @@ double contact_time(const SpherePair& pair) {
   return M_PI * std::sqrt(0.5 * pair.mass / pair.law.kn);
 }
 
+RodOnFloor smooth_rod() {
+  const ChainShape shape{5, 3e-3, 0.5, 0, 3e-3};
+  const auto solid = mass_properties(shape, 2500, MassRule::reference, false);
+  RodOnFloor rod;
+  rod.mass = solid.mass;
+  rod.inertia = solid.inertia[2];
+  rod.radius = 1.5e-3;
+  for (const auto& centre : sphere_centres(shape)) rod.places.push_back(centre[0]);
+  return rod;
+}
+
 std::vector<AccuracyRow> rows(const std::vector<double>& steps, const std::vector<double>& errors) {
   std::vector<AccuracyRow> result;
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -110,17 +121,28 @@ TEST(AccuracyReference, StickingContactOfSpringsKeepsTheEnergy) {
 
 // Upright, the rod's centre is above its contact: a mass on a spring-dashpot, m_ij = m
 TEST(AccuracyReference, UprightRodBouncesLikeASphere) {
-  const ChainShape shape{5, 3e-3, 0.5, 0, 3e-3};
-  const auto solid = mass_properties(shape, 2500, MassRule::reference, false);
-  RodOnFloor rod;
-  rod.mass = solid.mass;
-  rod.inertia = solid.inertia[2];
-  rod.radius = 1.5e-3;
-  for (const auto& centre : sphere_centres(shape)) rod.places.push_back(centre[0]);
+  const RodOnFloor rod = smooth_rod();
   const auto end =
       move(rod, {0, 7.6e-3, M_PI / 2, 0, -0.5, 0}, 4e-3, 1e-6, Scheme::dormand_prince_5);
   EXPECT_NEAR(end.vy / 0.5, restitution_coefficient(0.2), 1e-12);
   EXPECT_NEAR(end.omega, 0, 1e-9);
+}
+
+// Springs only, so that friction is mu times the normal force, against the end's velocity along x,
+// vx + (r + a sin) omega < 0 with a = 6 mm to the end at 60 degrees: the impulses are m (mu, 1)
+// dvy, and their moment is that of the contact point at (-a cos, -a sin - r), but for its way
+// during the contact and half the overlap.
+TEST(AccuracyReference, SlidingRodTurnsByTheMomentOfItsImpulses) {
+  RodOnFloor rod = smooth_rod();
+  rod.law = {1e5, 5e4, 0, 0, 0.1};  // stiff: a short contact, in which the rod hardly turns
+  const double angle = M_PI / 3, a = 6e-3, r = rod.radius;
+  const PlanarState start = {0, r + a * std::sin(angle) + 1e-6, angle, 0, -0.5, -100};
+  const auto end = move(rod, start, 5e-4, 1e-7, Scheme::dormand_prince_5);
+  const double impulse = rod.mass * (end.vy - start.vy);
+  EXPECT_GT(impulse, 0);
+  EXPECT_NEAR(end.vx * rod.mass / impulse, 0.1, 1e-9);
+  const double moment = -a * std::cos(angle) + 0.1 * (a * std::sin(angle) + r);
+  EXPECT_NEAR((end.omega - start.omega) * rod.inertia / (moment * impulse), 1, 0.05);
 }
 
 // Against Euler's equations in the body frame, by Runge-Kutta
@@ -163,8 +185,8 @@ TEST(AccuracyReference, TwoSchemesAgreeInEveryScene) {
 // error = 3 steps^-2.5 in between; a blow-up before, rounding after, both left out
 TEST(AccuracySummary, OrderIsThatOfTheAsymptoticRange) {
   const auto law = [](double n) { return 3 * std::pow(n, -2.5); };
-  const std::vector<double> steps = {10, 30, 60, 120, 240, 1e5};
-  const auto order = observed_order(steps, {4, law(30), law(60), law(120), law(240), 1e-10});
+  const std::vector<double> steps = {10, 26, 30, 60, 120, 240, 1e5};
+  const auto order = observed_order(steps, {4, 0.3, law(30), law(60), law(120), law(240), 1e-10});
   ASSERT_TRUE(order);
   EXPECT_NEAR(*order, 2.5, 1e-12);
   EXPECT_FALSE(observed_order({30, 60}, {law(30), law(60)}));
@@ -222,6 +244,17 @@ TEST(AccuracyScene, FirstTouchesSpreadOverOneStep) {
   EXPECT_EQ(scene.variables_for(accuracy_method("ab3e"), dt, 1).at("integrator"),
             "multisphere/ab order 3 events yes planar yes");
   EXPECT_EQ(scene.variables_for(accuracy_method("builtin"), dt, 1).at("integrator"), "multisphere");
+}
+
+// Born with half a kick of gravity too much, g dt/2, which stock multisphere never takes back
+TEST(AccuracyScene, StockBodiesStartWithHalfAKickLess) {
+  const auto scene = accuracy_scene("rod_rocking");
+  const double dt = 1.1e-5;
+  const auto vy = [&](const char* method) {
+    return std::stod(scene.variables_for(accuracy_method(method), dt, 100).at("vy"));
+  };
+  EXPECT_NEAR(vy("builtin") - vy("ab3"), 0.5 * 9.81 * dt, 1e-15);
+  EXPECT_EQ(vy("ab3"), -0.05);
 }
 
 // A program that leaves the exact end of spin_planar, turned by 1e-3 rad, and counts its runs
