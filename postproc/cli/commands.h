@@ -21,6 +21,7 @@ void add_profile(CLI::App& app);
 void add_export(CLI::App& app);
 void add_analyse(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_accuracy(CLI::App& app);
 
 /// Dumps to read, common to the measuring subcommands.
 struct Input {

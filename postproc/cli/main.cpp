@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   cli::add_profile(app);
   cli::add_export(app);
   cli::add_compare(app);
+  cli::add_accuracy(app);
 
   try {
     app.parse(argc, argv);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/accuracy.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "commands.h"
+#include "rodpack/data_error.h"
+
+namespace rodpack::cli {
+namespace {
+
+// The fraction is the same everywhere, and not 0: without damping, what the two ends of a contact
+// leave in the velocity cancels the more the closer its time is to a whole number of steps.
+const std::vector<double> all_steps = {10.37, 14.37,  20.37,  28.37,  40.37,  57.37,
+                                       81.37, 114.37, 162.37, 229.37, 324.37, 500.37};
+const std::vector<double> quick_steps = {28.37, 57.37, 114.37};
+const std::vector<std::string> quick_scenes = {"collision_0.2", "oblique_slip", "rod_drop",
+                                               "spin_3d", "rod_rocking"};
+
+}  // namespace
+
+void add_accuracy(CLI::App& app) {
+  struct Options {
+    AccuracySettings settings;
+    bool quick = false;
+    std::string out;
+  };
+  auto options = std::make_shared<Options>();
+  auto& settings = options->settings;
+  settings.inputs = RODPACK_INPUTS;
+  settings.scenes.push_back(settling_scene);
+  auto* command = app.add_subcommand(
+      "accuracy",
+      "Error against cost of the integrators: runs small scenes with a known end at many time "
+      "steps. Rows that OUT/accuracy.csv holds already are not run again.");
+  command->footer(
+      "Example:\n"
+      "  rodpack accuracy results/accuracy --methods builtin,ab3\n"
+      "writes accuracy.csv, accuracy.md and two figures per scene, .png/.svg.");
+  command->add_option("OUT", options->out, "folder of the results")->required();
+  command
+      ->add_option("--liggghts", settings.liggghts.program,
+                   "program to run [default: liggghts beside this program]")
+      ->type_name("PROGRAM");
+  command->add_option("--inputs", settings.inputs, "folder that holds accuracy/ with the decks")
+      ->capture_default_str()
+      ->type_name("FOLDER");
+  const auto names = [](const std::vector<std::string>& all) {
+    std::string text;
+    for (const auto& name : all) text += (text.empty() ? "" : ",") + name;
+    return text;
+  };
+  auto* scenes = command
+                     ->add_option("--scenes", settings.scenes,
+                                  "scenes [default: " + names(settings.scenes) + "]")
+                     ->delimiter(',')
+                     ->type_name("LIST");
+  command
+      ->add_option("--methods", settings.methods,
+                   "builtin: fix multisphere; abN: fix multisphere/ab order N; ab3e: order 3 with "
+                   "events yes [default: " +
+                       names(accuracy_method_names()) + "]")
+      ->delimiter(',')
+      ->type_name("LIST");
+  auto* steps = command
+                    ->add_option("--steps", settings.steps,
+                                 "time steps per contact, each at least 3 [default: 12 from 10.37 "
+                                 "to 500.37]")
+                    ->delimiter(',')
+                    ->type_name("LIST");
+  auto* repeats = command
+                      ->add_option("--repeats", settings.repeats,
+                                   "timed runs per scene and method [default: 5]")
+                      ->check(CLI::Range(1, 1000))
+                      ->type_name("N");
+  command->add_option("--seeds", settings.seeds, "runs of the settling rods per method and step")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_flag("--quick", options->quick,
+                    "five scenes, three steps, one timed run: below a minute");
+
+  command->callback([options, scenes, steps, repeats] {
+    auto& s = options->settings;
+    if (options->quick) {
+      if (scenes->count() == 0) s.scenes = quick_scenes;
+      if (repeats->count() == 0) s.repeats = 1;
+      s.timed_steps = 4000;
+    }
+    if (steps->count() == 0) s.steps = options->quick ? quick_steps : all_steps;
+    try {
+      for (const auto& name : s.scenes)
+        if (name != settling_scene) accuracy_scene(name);
+      for (const auto& name : s.methods) accuracy_method(name);
+    } catch (const DataError& error) {
+      throw CLI::ValidationError(error.what());
+    }
+    for (const double value : s.steps)
+      if (!(value >= 3 && value <= 1e5))
+        throw CLI::ValidationError("--steps: " + CLI::detail::to_string(value) +
+                                   ", expected 3 to 1e5 steps per contact");
+    if (s.liggghts.program.empty()) s.liggghts.program = liggghts_beside_this_program();
+    const auto rows = measure_accuracy(s, options->out, std::cout);
+    std::vector<SettlingRow> settling;
+    if (std::find(s.scenes.begin(), s.scenes.end(), settling_scene) != s.scenes.end())
+      settling = measure_settling(s, options->out, std::cout);
+    report_accuracy(rows, settling, s, options->out);
+    // A place for the stability limit (rodpack/stability.h, stability.csv) once it is a library.
+    std::cout << "written: " << options->out << "/accuracy.csv, accuracy.md, *_evaluations and "
+              << "*_seconds .png .svg\n";
+  });
+}
+
+}  // namespace rodpack::cli

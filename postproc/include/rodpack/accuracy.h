@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_ACCURACY_H
+#define RODPACK_ACCURACY_H
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rodpack/deck_run.h"
+#include "rodpack/dump.h"
+
+namespace rodpack {
+
+/// A way to move the bodies, as the decks of inputs/accuracy take it.
+struct AccuracyMethod {
+  std::string name;        // builtin, ab1 ... ab4, ab3e
+  int order;               // of the formula, for smooth forces
+  std::string integrator;  // style and arguments of the fix, without `planar`
+};
+/// @throws DataError naming those there are.
+AccuracyMethod accuracy_method(const std::string& name);
+const std::vector<std::string>& accuracy_method_names();
+
+constexpr double paper_step = 1.1e-5;  // s, Lu et al. (2016)
+
+/// A motion with a known end.
+struct AccuracyScene {
+  std::string name;
+  std::string error_is;     // what the error is of and relative to
+  std::string reference;    // how the expected end was found
+  double agreement = 0;     // of the reference's two ways, in the unit of the error; 0: exact
+  std::string deck;         // file name in the folder of decks
+  DeckVariables variables;  // the same for all methods and steps
+  bool planar = true;
+  double contact_time = 0;      // s, what steps_per_contact refers to
+  double duration = 0;          // simulated time, s
+  bool ends_on_time = false;    // the step has to divide the duration
+  double phase_speed = 0;       // m/s: `shift` spreads the first touches over a step at this speed;
+                                // 0: the deck's own `shift`
+  int copies = 1;               // over which the touches spread
+  double gravity = 0;           // m/s^2
+  double asymptotic_from = 25;  // steps per contact from which on errors show the order
+  std::function<double(const Frame&)> error;  // of the end.dump
+
+  long steps(double steps_per_contact) const;
+  double step(double steps_per_contact) const;  // s
+  /// Every -var of a run.
+  DeckVariables variables_for(const AccuracyMethod& method, double dt, long steps) const;
+};
+/// Name of the scene whose trajectories are chaotic, so that only means can be compared.
+constexpr const char* settling_scene = "settling";
+
+/// With its reference, which takes up to a second. @throws DataError naming those there are.
+AccuracyScene accuracy_scene(const std::string& name);
+/// All with a known end, that is without `settling_scene`.
+const std::vector<std::string>& accuracy_scene_names();
+
+struct AccuracyRow {
+  std::string scene, method;
+  int order = 0;
+  double steps_per_contact = 0;
+  double error = 0;  // inf: the bodies were lost
+  double force_evaluations = 0;
+  double seconds = 0;  // of the run's loop
+};
+
+struct AccuracySettings {
+  Liggghts liggghts;
+  std::string inputs;  // folder with accuracy/
+  std::vector<std::string> scenes = accuracy_scene_names();
+  std::vector<std::string> methods = accuracy_method_names();
+  std::vector<double> steps;  // per contact
+  int repeats = 5;            // of timed runs
+  long timed_steps = 20000;
+  int seeds = 8;  // of the settling rods
+};
+
+/// Runs what is missing in `folder`/accuracy.csv, appends it there row by row, and returns all rows
+/// of the scenes and methods asked for. Lines of progress go to `progress`. @throws DataError when
+/// the folder holds rows of other settings, or a run fails.
+std::vector<AccuracyRow> measure_accuracy(const AccuracySettings& settings,
+                                          const std::string& folder, std::ostream& progress);
+
+/// 50 rods that have settled (inputs/accuracy/in.settling). Energies in J.
+struct SettlingRow {
+  std::string method;
+  double steps_per_contact;
+  int seed, rods;  // rods: still in the container
+  double kinetic, elastic;
+  double height;          // mean of the centres, in d_p
+  double solid_fraction;  // area of the rods centred below the mean height, over the area there
+};
+/// As measure_accuracy, in `folder`/settling.csv.
+std::vector<SettlingRow> measure_settling(const AccuracySettings& settings,
+                                          const std::string& folder, std::ostream& progress);
+/// Means over the seeds with standard errors, as a Markdown table.
+std::string settling_table(const std::vector<SettlingRow>& rows);
+
+/// What the rows of one scene and method tell.
+struct AccuracySummary {
+  std::string scene, method;
+  std::optional<double> order;        // observed; none: fewer than three errors in range
+  std::optional<double> paper_error;  // at the paper's step, between rows
+  std::optional<double> evaluations;  // to reach `target`, between rows
+  std::optional<double> seconds;
+  bool at_once = false;                               // the coarsest step reaches it already
+  double finest_evaluations = 0, finest_seconds = 0;  // of the finest step
+};
+/// `steps_of_paper`: the paper's step in steps per contact; errors below `floor` are rounding.
+AccuracySummary summarise(const std::vector<AccuracyRow>& rows, double steps_of_paper,
+                          double asymptotic_from = 25, double floor = 1e-9, double target = 1e-3);
+
+/// Observed order: slope of -log error over log steps by least squares, of the errors between
+/// `floor` and 0.05 from `asymptotic_from` steps per contact on. None with fewer than three.
+std::optional<double> observed_order(const std::vector<double>& steps,
+                                     const std::vector<double>& errors, double asymptotic_from = 25,
+                                     double floor = 1e-9);
+
+/// accuracy.md and the figures `scene`_evaluations and `scene`_seconds (.png, .svg) in `folder`.
+void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<SettlingRow>& settling,
+                     const AccuracySettings& settings, const std::string& folder);
+
+}  // namespace rodpack
+
+#endif
