@@ -29,7 +29,6 @@ void add_accuracy(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   auto& settings = options->settings;
-  settings.inputs = RODPACK_INPUTS;
   settings.scenes.push_back(settling_scene);
   auto* command = app.add_subcommand(
       "accuracy",
@@ -44,8 +43,9 @@ void add_accuracy(CLI::App& app) {
       ->add_option("--liggghts", settings.liggghts.program,
                    "program to run [default: liggghts beside this program]")
       ->type_name("PROGRAM");
-  command->add_option("--inputs", settings.inputs, "folder that holds accuracy/ with the decks")
-      ->capture_default_str()
+  command
+      ->add_option("--inputs", settings.inputs,
+                   "the folder inputs/; default: that of the repository")
       ->type_name("FOLDER");
   const auto names = [](const std::vector<std::string>& all) {
     std::string text;
@@ -58,10 +58,11 @@ void add_accuracy(CLI::App& app) {
                      ->delimiter(',')
                      ->type_name("LIST");
   command
-      ->add_option("--methods", settings.methods,
-                   "builtin: fix multisphere; abN: fix multisphere/ab order N; ab3e: order 3 with "
-                   "events yes [default: " +
-                       names(accuracy_method_names()) + "]")
+      ->add_option(
+          "--methods", settings.methods,
+          "builtin: fix multisphere; abN: fix multisphere/ab order N events no; abNe: with "
+          "events yes [default: " +
+              names(accuracy_method_names()) + "]")
       ->delimiter(',')
       ->type_name("LIST");
   auto* steps = command

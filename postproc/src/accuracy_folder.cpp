@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "rodpack/data_error.h"
+#include "rodpack/deck_folder.h"
 #include "rodpack/text.h"
 
 namespace rodpack {
@@ -20,7 +21,7 @@ namespace {
 /// What has to be the same for all rows of a folder.
 nlohmann::json common(const AccuracySettings& settings) {
   return {{"liggghts", fs::absolute(settings.liggghts.program).lexically_normal().string()},
-          {"inputs", fs::absolute(settings.inputs).lexically_normal().string()},
+          {"inputs", settings.inputs},
           {"steps", settings.steps},
           {"repeats", settings.repeats},
           {"timed_steps", settings.timed_steps}};
@@ -96,7 +97,7 @@ std::string run_accuracy_deck(const AccuracySettings& settings, const std::strin
   if (fs::exists(liggghts.program)) liggghts.program = fs::absolute(liggghts.program).string();
   const std::string work = folder + "/work";
   for (const char* left : {"/end.dump", "/energies.txt"}) fs::remove(work + left);
-  return run_deck(liggghts, settings.inputs + "/accuracy/" + deck, variables, work);
+  return run_deck(liggghts, find_deck("accuracy/" + deck, settings.inputs), variables, work);
 }
 
 }  // namespace rodpack

@@ -69,12 +69,13 @@ std::string factor(const std::optional<double>& stock, double finest_of_stock,
 void draw(const Rows& rows, const std::string& scene, const std::vector<std::string>& methods,
           bool against_seconds, double paper_evaluations, const std::string& stem) {
   const std::map<std::string, std::string> colours = {
-      {"builtin", colour::grey}, {"ab1", "#E69F00"}, {"ab2", "#56B4E9"},
-      {"ab3", colour::blue},     {"ab4", "#009E73"}, {"ab3e", colour::vermilion}};
+      {"builtin", colour::grey},   {"ab1", "#E69F00"}, {"ab2", "#56B4E9"},
+      {"ab3", colour::blue},       {"ab4", "#009E73"}, {"ab2e", "#F0E442"},
+      {"ab3e", colour::vermilion}, {"ab4e", "#CC79A7"}};
   std::string blocks, curves;
   double largest = 1e-15, least_cost = INFINITY, most_cost = 0;
   // open signs, so that curves on each other show
-  constexpr int points[] = {6, 4, 8, 10, 12, 14};
+  constexpr int points[] = {6, 4, 8, 10, 12, 14, 1, 2};
   std::size_t point = 0;
   for (const auto& method : methods) {
     ++point;

@@ -302,7 +302,8 @@ AccuracyScene accuracy_scene(const std::string& name) {
 }
 
 const std::vector<std::string>& accuracy_method_names() {
-  static const std::vector<std::string> names = {"builtin", "ab1", "ab2", "ab3", "ab4", "ab3e"};
+  static const std::vector<std::string> names = {"builtin", "ab1",  "ab2",  "ab3",
+                                                 "ab4",     "ab2e", "ab3e", "ab4e"};
   return names;
 }
 
@@ -313,7 +314,7 @@ AccuracyMethod accuracy_method(const std::string& name) {
   if (name == "builtin") return {name, 2, "multisphere"};
   const std::string order = name.substr(2, 1);
   return {name, std::stoi(order),
-          "multisphere/ab order " + order + (name.back() == 'e' ? " events yes" : "")};
+          "multisphere/ab order " + order + " events " + (name.back() == 'e' ? "yes" : "no")};
 }
 
 long AccuracyScene::steps(double steps_per_contact) const {

@@ -240,7 +240,7 @@ TEST(AccuracyScene, FirstTouchesSpreadOverOneStep) {
   const double dt = 1.1e-5;
   const auto variables = scene.variables_for(accuracy_method("ab3"), dt, 100);
   EXPECT_NEAR(std::stod(variables.at("shift")) * scene.copies, 1.0 * dt, 1e-18);
-  EXPECT_EQ(variables.at("integrator"), "multisphere/ab order 3 planar yes");
+  EXPECT_EQ(variables.at("integrator"), "multisphere/ab order 3 events no planar yes");
   EXPECT_EQ(scene.variables_for(accuracy_method("ab3e"), dt, 1).at("integrator"),
             "multisphere/ab order 3 events yes planar yes");
   EXPECT_EQ(scene.variables_for(accuracy_method("builtin"), dt, 1).at("integrator"), "multisphere");

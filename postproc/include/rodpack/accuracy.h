@@ -15,7 +15,7 @@ namespace rodpack {
 
 /// A way to move the bodies, as the decks of inputs/accuracy take it.
 struct AccuracyMethod {
-  std::string name;        // builtin, ab1 ... ab4, ab3e
+  std::string name;        // builtin, ab1 ... ab4, with events ab2e ... ab4e
   int order;               // of the formula, for smooth forces
   std::string integrator;  // style and arguments of the fix, without `planar`
 };
@@ -68,7 +68,7 @@ struct AccuracyRow {
 
 struct AccuracySettings {
   Liggghts liggghts;
-  std::string inputs;  // folder with accuracy/
+  std::string inputs;  // folder with accuracy/; empty: find_deck looks for it
   std::vector<std::string> scenes = accuracy_scene_names();
   std::vector<std::string> methods = accuracy_method_names();
   std::vector<double> steps;  // per contact
