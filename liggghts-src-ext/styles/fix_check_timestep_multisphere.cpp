@@ -17,16 +17,15 @@
 #include "fix_template_sphere.h"
 #include "modify.h"
 #include "particle_identity.h"
-#include "rodpack/body_stiffness.h"
 #include "rodpack/contact_law.h"
 #include "style_arguments.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
 
-using rodpack::BodyInertia;
-using rodpack::BodyStiffness;
 using rodpack::MotionBounds;
+using rodpack::NetworkBody;
+using rodpack::NetworkContact;
 
 namespace {
 
@@ -36,45 +35,21 @@ std::string text_of(double value) {
   return buffer;
 }
 
-/// Sums over the contacts of each particle, by id, in one array that ranks can add up. Stiffness
-/// and damping of a contact enter per effective mass: see add_contacts_present().
-class ContactSums {
- public:
-  explicit ContactSums(int largest_id)
-      : values_(static_cast<std::size_t>(largest_id + 1) * stride, 0.0) {}
-
-  void add(int id, const BodyStiffness& contact) {
-    double* const sums = &values_[static_cast<std::size_t>(id) * stride];
-    for (int k = 0; k < BodyStiffness::size; ++k) {
-      sums[k] += contact.stiffness[k];
-      sums[BodyStiffness::size + k] += contact.damping[k];
-    }
-    sums[stride - 1] += 1.0;
-  }
-
-  void add_up_over_ranks(MPI_Comm world) {
-    MPI_Allreduce(MPI_IN_PLACE, values_.data(), static_cast<int>(values_.size()), MPI_DOUBLE,
-                  MPI_SUM, world);
-  }
-
-  int contacts(int id) const {
-    return static_cast<int>(values_[static_cast<std::size_t>(id + 1) * stride - 1]);
-  }
-
-  BodyStiffness of(int id, double mass) const {
-    const double* const sums = &values_[static_cast<std::size_t>(id) * stride];
-    BodyStiffness result;
-    for (int k = 0; k < BodyStiffness::size; ++k) {
-      result.stiffness[k] = mass * sums[k];
-      result.damping[k] = mass * sums[BodyStiffness::size + k];
-    }
-    return result;
-  }
-
- private:
-  static constexpr std::size_t stride = 2 * BodyStiffness::size + 1;
-  std::vector<double> values_;
-};
+/// The ranks' records one after the other on rank 0, empty elsewhere; collective.
+template <class Record>
+std::vector<Record> gather_on_first(MPI_Comm world, const std::vector<Record>& own) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(world, &rank);
+  MPI_Comm_size(world, &ranks);
+  const int bytes = static_cast<int>(own.size() * sizeof(Record));
+  std::vector<int> sizes(ranks), starts(ranks, 0);
+  MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, world);
+  for (int k = 1; k < ranks; ++k) starts[k] = starts[k - 1] + sizes[k - 1];
+  std::vector<Record> all(rank == 0 ? (starts.back() + sizes.back()) / sizeof(Record) : 0);
+  MPI_Gatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
+              world);
+  return all;
+}
 
 }  // namespace
 
@@ -107,7 +82,7 @@ FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, 
   scalar_flag = vector_flag = 1;
   size_vector = 3;
   extscalar = extvector = 0;
-  global_freq = nevery;
+  global_freq = 1;  // those of the last check
 }
 
 int FixCheckTimestepMultisphere::setmask() { return FixConst::END_OF_STEP; }
@@ -183,102 +158,129 @@ MotionBounds FixCheckTimestepMultisphere::single_contact(double mass) {
   return bounds;
 }
 
-/// Widens `bounds` to the motions of all particles with the contacts they have now.
-///
-/// For a contact between moving particles, (a - b)^2 <= (m_i/m_ij) a^2 + (m_j/m_ij) b^2 with the
-/// effective mass m_ij: each side is taken as held by m/m_ij times the contact's stiffness (twice,
-/// for equal particles), which bounds the whole network and is exact for two spheres that meet. At
-/// a wall m_ij is the particle's mass.
-FixCheckTimestepMultisphere::Stiffest FixCheckTimestepMultisphere::add_contacts_present(
-    MotionBounds& bounds) {
-  const ParticleIdentity particles(lmp);
+/// This rank's contacts, with the particles' ids for indices. Without friction there is nothing in
+/// the plane of contact. Widens the range of delays in `bounds`.
+std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
+    const ParticleIdentity& particles, MotionBounds& bounds) {
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
-  ContactSums sums(particles.largest_id());
-  double delays[2] = {-bounds.delay_min, bounds.delay_max};  // largest of each
+  std::vector<NetworkContact> result;
   for (const ContactRecord& record : recorder_.collect(std::string("fix ") + style)) {
     if (!record.primary) continue;
     const bool sticks =
         record.kt > 0.0 && property("coefficientFriction", record.type_i, record.type_j) > 0.0;
-    const double share = 1.0 / record.effective_mass;
-    const double kt = sticks ? record.kt : 0.0, damping_t = sticks ? record.damping_t : 0.0;
     const rodpack::Contact contact = particles.contact_of(record, centres);
-    for (int side = 0; side < (contact.wall ? 1 : 2); ++side) {
-      const rodpack::Vector& centre = side == 0 ? contact.centre_i : contact.centre_j;
-      double arm[3];
-      for (int d = 0; d < 3; ++d) arm[d] = contact.point[d] - centre[d];
-      BodyStiffness one;
-      one.add_contact(record.normal, arm, share * record.kn, share * kt, share * record.damping_n,
-                      share * damping_t);
-      sums.add(side == 0 ? contact.i : contact.j, one);
+    if (contact.i == contact.j) continue;  // with its own periodic image
+    NetworkContact one = {};
+    one.i = contact.i;
+    one.j = contact.wall ? -1 : contact.j;
+    for (int d = 0; d < 3; ++d) {
+      one.normal[d] = record.normal[d];
+      one.arm_i[d] = contact.point[d] - contact.centre_i[d];
+      one.arm_j[d] = contact.point[d] - contact.centre_j[d];
     }
-    delays[0] = std::max(delays[0], -record.damping_n / record.kn);
-    delays[1] = std::max(delays[1], record.damping_n / record.kn);
-    if (!sticks) continue;
-    delays[0] = std::max(delays[0], -damping_t / kt);
-    delays[1] = std::max(delays[1], damping_t / kt);
+    one.stiffness_n = record.kn;
+    one.damping_n = record.damping_n;
+    bounds.delay_min = std::min(bounds.delay_min, record.damping_n / record.kn);
+    bounds.delay_max = std::max(bounds.delay_max, record.damping_n / record.kn);
+    if (sticks) {
+      one.stiffness_t = record.kt;
+      one.damping_t = record.damping_t;
+      bounds.delay_min = std::min(bounds.delay_min, record.damping_t / record.kt);
+      bounds.delay_max = std::max(bounds.delay_max, record.damping_t / record.kt);
+    }
+    result.push_back(one);
   }
-  sums.add_up_over_ranks(world);
+  return result;
+}
 
-  // stiffness and particle of the stiffest one here
-  struct {
-    double stiffness;
-    int particle;
-  } stiffest = {bounds.stiffness, 0};
-  double damping = bounds.damping;
+/// This rank's particles: bodies, and plain spheres that belong to none.
+std::vector<FixCheckTimestepMultisphere::IdentifiedBody> FixCheckTimestepMultisphere::bodies_here(
+    const ParticleIdentity& particles) const {
   const bool planar = options_.planar();
-  const auto consider = [&](int id, const BodyInertia& inertia) {
-    if (sums.contacts(id) == 0) return;
-    const rodpack::StiffestMotion motion =
-        rodpack::stiffest_motion(sums.of(id, inertia.mass), inertia);
-    damping = std::max(damping, motion.damping);
-    if (motion.stiffness > stiffest.stiffness) stiffest = {motion.stiffness, id};
-  };
-
+  std::vector<IdentifiedBody> result;
   if (FixMultisphere* fix = particles.bodies()) {
     Multisphere& bodies = fix->data();
     typedef VectorContainer<double, 3> Vectors;
     typedef VectorContainer<bool, 3> Flags;
-    const auto vectors = [&bodies](const char* name, int body) {
-      return (*bodies.prop().getElementProperty<Vectors>(name))(body);
-    };
-    const Flags& moves = *bodies.prop().getElementProperty<Flags>("fflag");
-    const Flags& turns = *bodies.prop().getElementProperty<Flags>("tflag");
-    const char* const axis_names[3] = {"ex_space", "ey_space", "ez_space"};
-    for (int body = 0; body < fix->n_body(); ++body) {
-      BodyInertia inertia = {};
-      inertia.mass = bodies.mass(body);
-      for (int k = 0; k < 3; ++k) {
-        const double moment = vectors("inertia", body)[k];
-        const double* const axis = vectors(axis_names[k], body);
+    Vectors& inertia = *bodies.prop().getElementProperty<Vectors>("inertia");
+    Vectors* const axes[3] = {bodies.prop().getElementProperty<Vectors>("ex_space"),
+                              bodies.prop().getElementProperty<Vectors>("ey_space"),
+                              bodies.prop().getElementProperty<Vectors>("ez_space")};
+    Flags& moves = *bodies.prop().getElementProperty<Flags>("fflag");
+    Flags& turns = *bodies.prop().getElementProperty<Flags>("tflag");
+    for (int k = 0; k < fix->n_body(); ++k) {
+      NetworkBody body = {};
+      body.mass = bodies.mass(k);
+      for (int d = 0; d < 3; ++d) {
+        const double moment = inertia(k)[d];
+        const double* const axis = (*axes[d])(k);
         for (int a = 0; a < 3; ++a)
-          for (int b = 0; b < 3; ++b) inertia.moments[a][b] += moment * axis[a] * axis[b];
-        const bool in_plane = !planar || k < 2, about_normal = !planar || k == 2;
-        inertia.is_free[k] = in_plane && moves(body)[k];
-        inertia.is_free[3 + k] = about_normal && turns(body)[k];
+          for (int b = 0; b < 3; ++b) body.moments[a][b] += moment * axis[a] * axis[b];
+        body.is_free[d] = (!planar || d < 2) && moves(k)[d];
+        body.is_free[3 + d] = (!planar || d == 2) && turns(k)[d];
       }
-      consider(bodies.tag(body), inertia);
+      result.push_back({bodies.tag(k), body});
     }
   }
   int frozen = 0;
   for (int k = 0; k < modify->n_fixes_style("freeze"); ++k)
     frozen |= modify->find_fix_style("freeze", k)->groupbit;
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (particles.body_of(i) >= 0 || (atom->mask[i] & frozen)) continue;
-    BodyInertia inertia = {};
-    inertia.mass = atom->rmass[i];
-    for (int k = 0; k < 3; ++k) {
-      inertia.moments[k][k] = 0.4 * inertia.mass * atom->radius[i] * atom->radius[i];
-      inertia.is_free[k] = !planar || k < 2;
-      inertia.is_free[3 + k] = !planar || k == 2;
+    if (particles.body_of(i) >= 0) continue;
+    NetworkBody body = {};
+    body.mass = atom->rmass[i];
+    const bool is_held = atom->mask[i] & frozen;
+    for (int d = 0; d < 3; ++d) {
+      body.moments[d][d] = 0.4 * body.mass * atom->radius[i] * atom->radius[i];
+      body.is_free[d] = !is_held && (!planar || d < 2);
+      body.is_free[3 + d] = !is_held && (!planar || d == 2);
     }
-    consider(particles.id_of(i), inertia);
+    result.push_back({particles.id_of(i), body});
   }
+  return result;
+}
 
-  MPI_Allreduce(MPI_IN_PLACE, &stiffest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
-  MPI_Allreduce(MPI_IN_PLACE, &damping, 1, MPI_DOUBLE, MPI_MAX, world);
+/// Widens `bounds` to the motions of all particles with the contacts they have now.
+FixCheckTimestepMultisphere::Stiffest FixCheckTimestepMultisphere::add_contacts_present(
+    MotionBounds& bounds) {
+  const ParticleIdentity particles(lmp);
+  // The whole network is looked at in one place, so that the result is that of one rank.
+  std::vector<NetworkContact> contacts = gather_on_first(world, contacts_here(particles, bounds));
+  std::vector<IdentifiedBody> found = gather_on_first(world, bodies_here(particles));
+  double delays[2] = {-bounds.delay_min, bounds.delay_max};
   MPI_Allreduce(MPI_IN_PLACE, delays, 2, MPI_DOUBLE, MPI_MAX, world);
-  bounds = {stiffest.stiffness, damping, -delays[0], delays[1]};
-  return {stiffest.particle, stiffest.particle > 0 ? sums.contacts(stiffest.particle) : 0};
+
+  double result[4] = {bounds.stiffness, bounds.damping, 0.0, 0.0};  // ..., particle, its contacts
+  if (comm->me == 0) {
+    std::sort(found.begin(), found.end(),
+              [](const IdentifiedBody& a, const IdentifiedBody& b) { return a.id < b.id; });
+    std::vector<NetworkBody> bodies;
+    for (const IdentifiedBody& each : found) bodies.push_back(each.body);
+    const auto index = [&found](int id) {
+      const auto at =
+          std::lower_bound(found.begin(), found.end(), id,
+                           [](const IdentifiedBody& body, int wanted) { return body.id < wanted; });
+      return static_cast<int>(at - found.begin());
+    };
+    for (NetworkContact& contact : contacts) {
+      contact.i = index(contact.i);
+      if (contact.j >= 0) contact.j = index(contact.j);
+    }
+    try {
+      const rodpack::NetworkBounds network = rodpack::bound_network(bodies, contacts);
+      if (network.stiffness > result[0]) {
+        result[0] = network.stiffness;
+        result[2] = found[network.stiffest].id;
+        result[3] = network.contacts;
+      }
+      result[1] = std::max(result[1], network.damping);
+    } catch (const std::invalid_argument& e) {
+      error->one(FLERR, ("fix " + std::string(style) + ": " + e.what()).c_str());
+    }
+  }
+  MPI_Bcast(result, 4, MPI_DOUBLE, 0, world);
+  bounds = {result[0], result[1], -delays[0], delays[1]};
+  return {static_cast<int>(result[2]), static_cast<int>(result[3])};
 }
 
 void FixCheckTimestepMultisphere::check() {
@@ -286,15 +288,13 @@ void FixCheckTimestepMultisphere::check() {
   if (!(mass > 0.0)) return;  // nothing is known yet
   MotionBounds bounds = single_contact(mass);
   Stiffest stiffest = {0, 0};
-  std::string failure;
+  if (atom->natoms > 0) stiffest = add_contacts_present(bounds);
   double limit = 0.0;
   try {
-    if (atom->natoms > 0) stiffest = add_contacts_present(bounds);
     limit = rodpack::timestep_limit(order_, bounds);
-  } catch (const std::invalid_argument& e) {
-    failure = e.what();
+  } catch (const std::invalid_argument& e) {  // a number that is none
+    error->one(FLERR, ("fix " + std::string(style) + ": " + e.what()).c_str());
   }
-  if (!failure.empty()) error->one(FLERR, ("fix " + std::string(style) + ": " + failure).c_str());
   fraction_ = limit > 0.0 ? update->dt / limit : std::numeric_limits<double>::infinity();
   contacts_ = stiffest.contacts;
   report(bounds, limit, stiffest);

@@ -7,11 +7,12 @@ FixStyle(check/timestep/multisphere,FixCheckTimestepMultisphere)
 #ifndef RODPACK_FIX_CHECK_TIMESTEP_MULTISPHERE_H
 #define RODPACK_FIX_CHECK_TIMESTEP_MULTISPHERE_H
 
-#include <string>
+#include <vector>
 
 #include "contact_recorder.h"
 #include "fix.h"
 #include "multistep_options.h"
+#include "rodpack/contact_network.h"
 #include "rodpack/stability_limit.h"
 
 namespace LAMMPS_NS {
@@ -35,11 +36,19 @@ class FixCheckTimestepMultisphere : public Fix {
     int contacts;
   };
 
+  struct IdentifiedBody {
+    int id;
+    rodpack::NetworkBody body;
+  };
+
   void check();
   int running_order() const;
   double property(const char* name, int i, int j) const;
   double lightest_mass() const;
   rodpack::MotionBounds single_contact(double mass);
+  std::vector<rodpack::NetworkContact> contacts_here(const class ParticleIdentity& particles,
+                                                     rodpack::MotionBounds& bounds);
+  std::vector<IdentifiedBody> bodies_here(const class ParticleIdentity& particles) const;
   Stiffest add_contacts_present(rodpack::MotionBounds& bounds);
   void report(const rodpack::MotionBounds& bounds, double limit, const Stiffest& stiffest);
 
