@@ -17,13 +17,12 @@
 #include "fix_template_sphere.h"
 #include "modify.h"
 #include "particle_identity.h"
-#include "rodpack/contact_law.h"
+#include "rodpack/stability_limit.h"
 #include "style_arguments.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
 
-using rodpack::MotionBounds;
 using rodpack::NetworkBody;
 using rodpack::NetworkContact;
 
@@ -138,30 +137,28 @@ double FixCheckTimestepMultisphere::lightest_mass() const {
   return lightest < none ? lightest : 0.0;
 }
 
-/// A particle of this mass held by one contact through its centre, the stiffest there is among the
+/// A particle of this mass held by one contact through its centre, of the most demanding pair of
 /// atom types; also sets the steps that a collision of two such particles takes.
-MotionBounds FixCheckTimestepMultisphere::single_contact(double mass) {
-  MotionBounds bounds = {0.0, 0.0, std::numeric_limits<double>::max(), 0.0};
-  double duration = std::numeric_limits<double>::max();
+FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_single_contact(
+    double mass) {
+  Limit limit = {std::numeric_limits<double>::infinity(), 0.0, 0, 0};
+  double duration = std::numeric_limits<double>::infinity();
   for (int i = 1; i <= atom->ntypes; ++i) {
     for (int j = i; j <= atom->ntypes; ++j) {
       const double kn = property("kn", i, j), eta = property("dampingRatioNormal", i, j);
-      const double delay = rodpack::damping_coefficient(eta, mass, kn) / kn;
-      bounds.stiffness = std::max(bounds.stiffness, kn / mass);
-      bounds.damping = std::max(bounds.damping, delay * kn / mass);
-      bounds.delay_min = std::min(bounds.delay_min, delay);
-      bounds.delay_max = std::max(bounds.delay_max, delay);
+      const double timestep = rodpack::stability_limit(order_, eta) / std::sqrt(kn / mass);
+      if (timestep < limit.timestep) limit = {timestep, kn / mass, 0, 0};
       duration = std::min(duration, M_PI * std::sqrt(0.5 * mass / (kn * (1.0 - eta * eta))));
     }
   }
   steps_per_collision_ = duration / update->dt;
-  return bounds;
+  return limit;
 }
 
 /// This rank's contacts, with the particles' ids for indices. Without friction there is nothing in
-/// the plane of contact. Widens the range of delays in `bounds`.
+/// the plane of contact.
 std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
-    const ParticleIdentity& particles, MotionBounds& bounds) {
+    const ParticleIdentity& particles) {
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
   std::vector<NetworkContact> result;
   for (const ContactRecord& record : recorder_.collect(std::string("fix ") + style)) {
@@ -180,13 +177,9 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
     }
     one.stiffness_n = record.kn;
     one.damping_n = record.damping_n;
-    bounds.delay_min = std::min(bounds.delay_min, record.damping_n / record.kn);
-    bounds.delay_max = std::max(bounds.delay_max, record.damping_n / record.kn);
     if (sticks) {
       one.stiffness_t = record.kt;
       one.damping_t = record.damping_t;
-      bounds.delay_min = std::min(bounds.delay_min, record.damping_t / record.kt);
-      bounds.delay_max = std::max(bounds.delay_max, record.damping_t / record.kt);
     }
     result.push_back(one);
   }
@@ -240,17 +233,13 @@ std::vector<FixCheckTimestepMultisphere::IdentifiedBody> FixCheckTimestepMultisp
   return result;
 }
 
-/// Widens `bounds` to the motions of all particles with the contacts they have now.
-FixCheckTimestepMultisphere::Stiffest FixCheckTimestepMultisphere::add_contacts_present(
-    MotionBounds& bounds) {
+/// The limit of the particles with the contacts they have now. The whole network is looked at on
+/// rank 0, so that the result is that of one rank.
+FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_contacts() {
   const ParticleIdentity particles(lmp);
-  // The whole network is looked at in one place, so that the result is that of one rank.
-  std::vector<NetworkContact> contacts = gather_on_first(world, contacts_here(particles, bounds));
+  std::vector<NetworkContact> contacts = gather_on_first(world, contacts_here(particles));
   std::vector<IdentifiedBody> found = gather_on_first(world, bodies_here(particles));
-  double delays[2] = {-bounds.delay_min, bounds.delay_max};
-  MPI_Allreduce(MPI_IN_PLACE, delays, 2, MPI_DOUBLE, MPI_MAX, world);
-
-  double result[4] = {bounds.stiffness, bounds.damping, 0.0, 0.0};  // ..., particle, its contacts
+  double result[4] = {0.0, 0.0, 0.0, 0.0};
   if (comm->me == 0) {
     std::sort(found.begin(), found.end(),
               [](const IdentifiedBody& a, const IdentifiedBody& b) { return a.id < b.id; });
@@ -267,56 +256,50 @@ FixCheckTimestepMultisphere::Stiffest FixCheckTimestepMultisphere::add_contacts_
       if (contact.j >= 0) contact.j = index(contact.j);
     }
     try {
-      const rodpack::NetworkBounds network = rodpack::bound_network(bodies, contacts);
-      if (network.stiffness > result[0]) {
-        result[0] = network.stiffness;
-        result[2] = found[network.stiffest].id;
-        result[3] = network.contacts;
-      }
-      result[1] = std::max(result[1], network.damping);
+      const rodpack::NetworkLimit limit = rodpack::network_limit(order_, bodies, contacts);
+      result[0] = limit.timestep;
+      result[1] = limit.stiffness;
+      result[2] = limit.stiffest < 0 ? 0 : found[limit.stiffest].id;
+      result[3] = limit.contacts;
     } catch (const std::invalid_argument& e) {
       error->one(FLERR, ("fix " + std::string(style) + ": " + e.what()).c_str());
     }
   }
   MPI_Bcast(result, 4, MPI_DOUBLE, 0, world);
-  bounds = {result[0], result[1], -delays[0], delays[1]};
-  return {static_cast<int>(result[2]), static_cast<int>(result[3])};
+  return {result[0], result[1], static_cast<int>(result[2]), static_cast<int>(result[3])};
 }
 
 void FixCheckTimestepMultisphere::check() {
   const double mass = lightest_mass();
   if (!(mass > 0.0)) return;  // nothing is known yet
-  MotionBounds bounds = single_contact(mass);
-  Stiffest stiffest = {0, 0};
-  if (atom->natoms > 0) stiffest = add_contacts_present(bounds);
-  double limit = 0.0;
-  try {
-    limit = rodpack::timestep_limit(order_, bounds);
-  } catch (const std::invalid_argument& e) {  // a number that is none
-    error->one(FLERR, ("fix " + std::string(style) + ": " + e.what()).c_str());
+  Limit limit = limit_of_single_contact(mass);
+  if (atom->natoms > 0) {
+    const Limit present = limit_of_contacts();
+    if (present.timestep <= limit.timestep) limit = present;
   }
-  fraction_ = limit > 0.0 ? update->dt / limit : std::numeric_limits<double>::infinity();
-  contacts_ = stiffest.contacts;
-  report(bounds, limit, stiffest);
+  const double none = std::numeric_limits<double>::infinity();
+  fraction_ = limit.timestep > 0.0 ? update->dt / limit.timestep : none;
+  contacts_ = limit.contacts;
+  report(limit);
 }
 
-void FixCheckTimestepMultisphere::report(const MotionBounds& bounds, double limit,
-                                         const Stiffest& stiffest) {
+void FixCheckTimestepMultisphere::report(const Limit& limit) {
   const bool beyond = fraction_ > 1.0;
   // once, and again when it has grown by a tenth
   if (!(beyond && error_) && !(fraction_ > warn_ && fraction_ > 1.1 * warned_)) return;
   const std::string method =
       order_ == 0 ? "velocity Verlet" : "Adams-Bashforth of order " + std::to_string(order_);
-  const std::string particle = stiffest.particle == 0
+  const std::string particle = limit.particle == 0
                                    ? "a single contact of the lightest particle"
-                                   : "body " + std::to_string(stiffest.particle) + " with its " +
-                                         std::to_string(stiffest.contacts) + " contacts";
+                                   : "body " + std::to_string(limit.particle) + " with its " +
+                                         std::to_string(limit.contacts) + " contacts";
   std::string text =
       "Fix " + std::string(style) + " (id " + id + "): time step " + text_of(update->dt) + " s is ";
-  text += limit > 0.0
-              ? text_of(fraction_) + " of the stability limit " + text_of(limit) + " s of " + method
+  text += limit.timestep > 0.0
+              ? text_of(fraction_) + " of the stability limit " + text_of(limit.timestep) +
+                    " s of " + method
               : "unstable, as any is for " + method + " with undamped contacts (limit 0 s)";
-  text += ", set by " + particle + " (angular frequency " + text_of(std::sqrt(bounds.stiffness)) +
+  text += ", set by " + particle + " (angular frequency " + text_of(std::sqrt(limit.stiffness)) +
           " 1/s)";
   if (beyond && error_) error->all(FLERR, (text + "; expected at most 1").c_str());
   warned_ = fraction_;

@@ -13,7 +13,6 @@ FixStyle(check/timestep/multisphere,FixCheckTimestepMultisphere)
 #include "fix.h"
 #include "multistep_options.h"
 #include "rodpack/contact_network.h"
-#include "rodpack/stability_limit.h"
 
 namespace LAMMPS_NS {
 
@@ -31,11 +30,12 @@ class FixCheckTimestepMultisphere : public Fix {
   double compute_vector(int n) override;
 
  private:
-  struct Stiffest {
-    int particle;  // id; 0: the single contact of the lightest one
-    int contacts;
+  struct Limit {
+    double timestep;   // s
+    double stiffness;  // square of the highest frequency, 1/s^2
+    int particle;      // id of the stiffest one; 0: the single contact of the lightest one
+    int contacts;      // of the stiffest one
   };
-
   struct IdentifiedBody {
     int id;
     rodpack::NetworkBody body;
@@ -45,12 +45,11 @@ class FixCheckTimestepMultisphere : public Fix {
   int running_order() const;
   double property(const char* name, int i, int j) const;
   double lightest_mass() const;
-  rodpack::MotionBounds single_contact(double mass);
-  std::vector<rodpack::NetworkContact> contacts_here(const class ParticleIdentity& particles,
-                                                     rodpack::MotionBounds& bounds);
+  Limit limit_of_single_contact(double mass);
+  std::vector<rodpack::NetworkContact> contacts_here(const class ParticleIdentity& particles);
   std::vector<IdentifiedBody> bodies_here(const class ParticleIdentity& particles) const;
-  Stiffest add_contacts_present(rodpack::MotionBounds& bounds);
-  void report(const rodpack::MotionBounds& bounds, double limit, const Stiffest& stiffest);
+  Limit limit_of_contacts();
+  void report(const Limit& limit);
 
   MultistepOptions options_;
   ContactRecorder recorder_;

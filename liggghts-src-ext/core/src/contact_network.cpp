@@ -2,11 +2,12 @@
 #include "rodpack/contact_network.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "rodpack/eigen_dense.h"
+#include "rodpack/stability_limit.h"
 
 namespace rodpack {
 namespace {
@@ -39,28 +40,22 @@ Matrix6 unit_mass(const NetworkBody& body, std::size_t index) {
   return result;
 }
 
-/// Forms of one side of a contact, in coordinates of unit mass.
+/// Forms g g^T of one side of a contact along its normal and in its plane, coordinates of unit
+/// mass.
 struct Side {
-  int body;
-  Matrix6 stiffness, damping;
+  Matrix6 along, across;
 };
 
-Side side_of(const NetworkContact& contact, int body, const double* arm, const Matrix6& scale) {
+Side side_of(const NetworkContact& contact, const double* arm, const Matrix6& scale) {
   const Vector3 n(contact.normal[0], contact.normal[1], contact.normal[2]);
   const Vector3 t = n.unitOrthogonal(), b = n.cross(t), r(arm[0], arm[1], arm[2]);
-  Side side = {body, Matrix6::Zero(), Matrix6::Zero()};
-  const auto add = [&](const Vector3& along, double k, double c) {
+  const auto form = [&](const Vector3& direction) -> Matrix6 {
     Vector6 g;
-    g << along, r.cross(along);
+    g << direction, r.cross(direction);
     g = scale * g;
-    const Matrix6 form = g * g.transpose();
-    side.stiffness += k * form;
-    side.damping += c * form;
+    return g * g.transpose();
   };
-  add(n, contact.stiffness_n, contact.damping_n);
-  add(t, contact.stiffness_t, contact.damping_t);
-  add(b, contact.stiffness_t, contact.damping_t);
-  return side;
+  return {form(n), form(t) + form(b)};
 }
 
 double largest_eigenvalue(const Matrix6& form) {
@@ -69,70 +64,137 @@ double largest_eigenvalue(const Matrix6& form) {
   return std::max(0.0, solver.eigenvalues().maxCoeff());
 }
 
-/// One of the two forms of every body, each contact counted 1 + u_j / u_i times on side i: their
-/// largest eigenvalues.
-std::vector<double> stiffness_by_body(const std::vector<NetworkContact>& contacts,
-                                      const std::vector<Side>& sides, Matrix6 Side::*form,
-                                      const std::vector<double>& u) {
-  std::vector<Matrix6> sums(u.size(), Matrix6::Zero());
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Side &here = sides[2 * k], &there = sides[2 * k + 1];
-    const double s = there.body < 0 ? 0.0 : u[there.body] / u[here.body];
-    sums[here.body] += (1.0 + s) * (here.*form);
-    if (there.body >= 0) sums[there.body] += (1.0 + 1.0 / s) * (there.*form);
+/// A contact's constants along the normal and in its plane.
+struct Constants {
+  double n, t;
+};
+
+class Network {
+ public:
+  Network(const std::vector<NetworkBody>& bodies, const std::vector<NetworkContact>& contacts)
+      : bodies_(bodies), contacts_(contacts), counts_(bodies.size(), 0) {
+    const auto n = static_cast<int>(bodies.size());
+    std::vector<Matrix6> scales;
+    for (const NetworkBody& body : bodies) scales.push_back(unit_mass(body, scales.size()));
+    for (const NetworkContact& contact : contacts) {
+      if (contact.i < 0 || contact.i >= n || contact.j >= n || contact.i == contact.j)
+        throw std::invalid_argument("contact network: bodies " + std::to_string(contact.i) +
+                                    " and " + std::to_string(contact.j) + " of " +
+                                    std::to_string(n));
+      if (!(contact.stiffness_n > 0.0) || !(contact.stiffness_t >= 0.0))
+        throw std::invalid_argument("contact network: stiffnesses " +
+                                    std::to_string(contact.stiffness_n) + " and " +
+                                    std::to_string(contact.stiffness_t) +
+                                    ", expected > 0 along the normal and >= 0 across");
+      here_.push_back(side_of(contact, contact.arm_i, scales[contact.i]));
+      there_.push_back(contact.j < 0 ? here_.back()
+                                     : side_of(contact, contact.arm_j, scales[contact.j]));
+      ++counts_[contact.i];
+      if (contact.j >= 0) ++counts_[contact.j];
+    }
   }
-  std::vector<double> result;
-  for (const Matrix6& sum : sums) result.push_back(largest_eigenvalue(sum));
-  return result;
-}
+
+  /// Bound of the largest eigenvalue of the form sum k g g^T with these `constants` of each contact
+  /// (>= 0). `stiffest`, if given: the body of the largest eigenvalue in the first round.
+  template <class ConstantsOf>
+  double bound(ConstantsOf constants, int* stiffest = nullptr) const {
+    std::vector<double> weights;
+    for (const NetworkBody& body : bodies_) weights.push_back(1.0 / body.mass);
+    const int rounds = 5;
+    double best = 0.0;
+    for (int round = 0; round < rounds; ++round) {
+      const std::vector<double> held = by_body(constants, weights);
+      const auto top = std::max_element(held.begin(), held.end());
+      if (round == 0 && stiffest) *stiffest = static_cast<int>(top - held.begin());
+      best = round == 0 ? *top : std::min(best, *top);
+      if (!(*top > 0.0)) break;
+      // As in the power method for the matrix of the blocks' norms: bodies held stiffly weigh more,
+      // which leaves them a smaller part of their contacts. The floor keeps s moderate.
+      for (std::size_t b = 0; b < weights.size(); ++b) weights[b] *= std::max(0.05, held[b] / *top);
+    }
+    return best;
+  }
+
+  int contacts_of(int body) const { return counts_[body]; }
+
+ private:
+  template <class ConstantsOf>
+  std::vector<double> by_body(ConstantsOf constants, const std::vector<double>& weights) const {
+    std::vector<Matrix6> sums(bodies_.size(), Matrix6::Zero());
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const NetworkContact& contact = contacts_[k];
+      const Constants value = constants(contact);
+      const double s = contact.j < 0 ? 0.0 : weights[contact.j] / weights[contact.i];
+      sums[contact.i] += (1.0 + s) * (value.n * here_[k].along + value.t * here_[k].across);
+      if (contact.j >= 0)
+        sums[contact.j] +=
+            (1.0 + 1.0 / s) * (value.n * there_[k].along + value.t * there_[k].across);
+    }
+    std::vector<double> result;
+    for (const Matrix6& sum : sums) result.push_back(largest_eigenvalue(sum));
+    return result;
+  }
+
+  const std::vector<NetworkBody>& bodies_;
+  const std::vector<NetworkContact>& contacts_;
+  std::vector<int> counts_;
+  std::vector<Side> here_, there_;
+};
+
+/// Largest dt |lambda| of a decay without oscillation: the real axis.
+double real_axis_limit(int order) { return stability_limit(order, 1.0); }
 
 }  // namespace
 
-NetworkBounds bound_network(const std::vector<NetworkBody>& bodies,
-                            const std::vector<NetworkContact>& contacts) {
-  const auto n = static_cast<int>(bodies.size());
-  std::vector<Matrix6> scales;
-  for (const NetworkBody& body : bodies) scales.push_back(unit_mass(body, scales.size()));
-  std::vector<Side> sides;
-  std::vector<int> counts(bodies.size(), 0);
-  for (const NetworkContact& contact : contacts) {
-    if (contact.i < 0 || contact.i >= n || contact.j >= n || contact.i == contact.j)
-      throw std::invalid_argument("contact network: bodies " + std::to_string(contact.i) + " and " +
-                                  std::to_string(contact.j) + " of " + std::to_string(n));
-    sides.push_back(side_of(contact, contact.i, contact.arm_i, scales[contact.i]));
-    ++counts[contact.i];
-    if (contact.j >= 0) {
-      sides.push_back(side_of(contact, contact.j, contact.arm_j, scales[contact.j]));
-      ++counts[contact.j];
-    } else {
-      sides.push_back({-1, Matrix6::Zero(), Matrix6::Zero()});
-    }
-  }
+NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
+                           const std::vector<NetworkContact>& contacts) {
+  const Network network(bodies, contacts);
+  NetworkLimit result = {std::numeric_limits<double>::infinity(), 0.0, 0.0, -1, 0};
+  if (contacts.empty()) return result;
 
-  NetworkBounds bounds = {0.0, 0.0, -1, 0};
-  if (contacts.empty()) return bounds;
-  const int rounds = 8;
-  for (Matrix6 Side::*form : {&Side::stiffness, &Side::damping}) {
-    const bool is_stiffness = form == &Side::stiffness;
-    std::vector<double> u;
-    for (const NetworkBody& body : bodies) u.push_back(1.0 / body.mass);
-    double best = 0.0;
-    for (int round = 0; round < rounds; ++round) {
-      const std::vector<double> held = stiffness_by_body(contacts, sides, form, u);
-      const auto top = std::max_element(held.begin(), held.end());
-      if (round == 0 && is_stiffness) {
-        bounds.stiffest = static_cast<int>(top - held.begin());
-        bounds.contacts = counts[bounds.stiffest];
-      }
-      best = round == 0 ? *top : std::min(best, *top);
-      // As in the power method for the matrix of the blocks' norms: bodies held stiffly weigh
-      // more, which leaves them a smaller part of their contacts. The floor keeps s moderate.
-      if (*top > 0.0)
-        for (std::size_t b = 0; b < u.size(); ++b) u[b] *= std::max(0.05, held[b] / *top);
-    }
-    (is_stiffness ? bounds.stiffness : bounds.damping) = best;
+  MotionBounds motions = {0.0, 0.0, std::numeric_limits<double>::max(), 0.0};
+  for (const NetworkContact& contact : contacts) {
+    const auto include = [&motions](double delay) {
+      motions.delay_min = std::min(motions.delay_min, delay);
+      motions.delay_max = std::max(motions.delay_max, delay);
+    };
+    include(contact.damping_n / contact.stiffness_n);
+    if (contact.stiffness_t > 0.0) include(contact.damping_t / contact.stiffness_t);
   }
-  return bounds;
+  motions.stiffness = network.bound(
+      [](const NetworkContact& c) {
+        return Constants{c.stiffness_n, c.stiffness_t};
+      },
+      &result.stiffest);
+  if (!(motions.stiffness > 0.0)) return result;  // nothing can move
+  motions.damping = network.bound([](const NetworkContact& c) {
+    return Constants{c.damping_n, c.stiffness_t > 0.0 ? c.damping_t : 0.0};
+  });
+  result.stiffness = motions.stiffness;
+  result.damping = motions.damping;
+  result.contacts = network.contacts_of(result.stiffest);
+
+  double safe = timestep_limit(order, motions);
+  MotionBounds not_slow = motions;  // without the corner of strongly damped motions
+  not_slow.delay_max = std::max(motions.delay_min, motions.damping / motions.stiffness);
+  double open = timestep_limit(order, not_slow);
+  const auto fast_decay_is_stable = [&](double dt) {
+    const double rate = real_axis_limit(order) / dt;
+    if (motions.damping > 2.0 * rate) return false;
+    return network.bound([rate](const NetworkContact& c) {
+      const auto rest = [rate](double damping, double stiffness) {
+        return stiffness > 0.0 ? std::max(0.0, damping - stiffness / rate) : 0.0;
+      };
+      return Constants{rest(c.damping_n, c.stiffness_n), rest(c.damping_t, c.stiffness_t)};
+    }) <= rate;
+  };
+  if (open > 1.001 * safe && fast_decay_is_stable(open)) safe = open;
+  for (int k = 0; k < 6 && open > 1.01 * safe; ++k) {
+    const double middle = 0.5 * (safe + open);
+    (fast_decay_is_stable(middle) ? safe : open) = middle;
+  }
+  result.timestep = safe;
+  return result;
 }
 
 }  // namespace rodpack

@@ -23,24 +23,35 @@ struct NetworkContact {
   double damping_n, damping_t;      // kg/s
 };
 
-/// Upper bounds of the largest eigenvalues of M^-1 K (the square of the highest frequency, 1/s^2)
-/// and M^-1 C (1/s) of the whole network at its present geometry.
-struct NetworkBounds {
-  double stiffness, damping;
-  int stiffest;  // body that is held the stiffest, the first of equals; -1 without contacts
-  int contacts;  // of this body
+/// Stability of a network at its present geometry.
+struct NetworkLimit {
+  double timestep;   // s, up to which no motion grows; infinite without contacts
+  double stiffness;  // bound of the largest eigenvalue of M^-1 K, the highest frequency^2, 1/s^2
+  double damping;    // bound of that of M^-1 C, 1/s
+  int stiffest;      // body that is held the stiffest, the first of equals; -1 without contacts
+  int contacts;      // of this body
 };
 
-/// Bounds by bodies: with g = (d, r x d) for a contact along d at the arm r, its energy is
-/// k (g_i.x_i - g_j.x_j)^2 / 2 <= k ((1 + s) (g_i.x_i)^2 + (1 + 1/s) (g_j.x_j)^2) / 2 for any s >
-/// 0, so the largest eigenvalue of the network is at most that of the stiffest body whose contacts
-/// count (1 + s) times. It begins with s = m_i / m_j, which is exact for two bodies that meet
-/// centrally and doubles the contacts of equal ones; bodies held less stiffly than their partners
-/// then take over more of the contact, and the best of a few such rounds counts. A wall's contact
-/// counts once. @throws std::invalid_argument for an index out of range and for inertia of free
-/// motions that is not positive definite.
-NetworkBounds bound_network(const std::vector<NetworkBody>& bodies,
-                            const std::vector<NetworkContact>& contacts);
+/// The limit for the integrator `order` (0..4, as in stability_limit.h), from below. Exact for a
+/// body on walls whose stiffest motion is also its most damped one, and for two spheres that meet.
+///
+/// Eigenvalues are bounded by bodies: with g = (d, r x d) for a contact along d at the arm r,
+///   k (g_i.x_i - g_j.x_j)^2 <= k ((1 + s) (g_i.x_i)^2 + (1 + 1/s) (g_j.x_j)^2) for any s > 0,
+/// so the largest one of the network is at most that of the stiffest body whose contacts count
+/// 1 + s times (at a wall once). It begins with s = m_i / m_j, which is exact for two bodies that
+/// meet centrally; bodies held less stiffly than their partners then take over more of the contact,
+/// and the best of a few such rounds counts: about 2 % above the highest frequency of a bed of
+/// rods.
+///
+/// The corners of timestep_limit() are the starting point. That of the strongly damped motions is
+/// too strict where the stiff contacts are not the slow ones (c / k); there the fast root stays
+/// within the real axis' limit R / dt as long as the largest eigenvalue of M^-1 (C - K dt / R) is
+/// at most R / dt, which is tried instead.
+///
+/// @throws std::invalid_argument for an index out of range, inertia of free motions that is not
+/// positive definite, a stiffness that is not > 0 along the normal or negative elsewhere.
+NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
+                           const std::vector<NetworkContact>& contacts);
 
 }  // namespace rodpack
 
