@@ -143,18 +143,20 @@ void measure_oscillator(const StabilityOptions& options, int spheres, SceneLimit
   row.limit_check = oscillator.check_limit();
 }
 
-void measure_bed(const StabilityOptions& options, SceneLimit& row) {
+void measure_bed(const StabilityOptions& options, int aspect_ratio, SceneLimit& row) {
   const fs::path runs = fs::absolute(fs::path(options.folder) / "runs");
-  const fs::path bed = runs / ("bed_order" + std::to_string(row.order));
+  const fs::path bed = runs / (row.scene + "_order" + std::to_string(row.order));
+  const std::string ratio = std::to_string(aspect_ratio);
   const fs::path restart = bed / "restart" / "deposition.end.restart";
   if (!fs::exists(bed / "result.json")) {
     fs::remove_all(bed);
     run_deck(options.liggghts, options.decks + "/deposition/in.deposition",
              {{"particles", "60"},
+              {"aspect_ratio", ratio},
               {"width_in_lengths", "3"},
-              {"container_height", "0.15"},
+              {"container_height", number_text(0.03 * aspect_ratio)},
               {"particles_per_line", "2"},
-              {"relaxation_ratio", "1e-7"},
+              {"relaxation_ratio", "1e-12"},
               {"output_interval", "10"},
               {"restart_interval", "10"},
               {"integrator", row.order == 0 ? "builtin" : "ab" + std::to_string(row.order)},
@@ -167,12 +169,14 @@ void measure_bed(const StabilityOptions& options, SceneLimit& row) {
     run_deck(options.liggghts, options.decks + "/accuracy/in.stability_bed",
              {{"restart", restart.string()},
               {"order", std::to_string(row.order)},
+              {"ratio", ratio},
+              {"width", number_text(3 * aspect_ratio * 3e-3)},
               {"timestep", number_text(timestep, 15)}},
              folder.string());
     return fs::exists(folder / "awake.txt");
   };
-  row.limit_single_contact =
-      stability_limit(row.order, row.damping_ratio) * std::sqrt(0.5 * rod_mass(9) / stiffness);
+  row.limit_single_contact = stability_limit(row.order, row.damping_ratio) *
+                             std::sqrt(0.5 * rod_mass(2 * aspect_ratio - 1) / stiffness);
   row.limit_measured = bisect_growth(grows, 0.02 * row.limit_single_contact,
                                      2 * row.limit_single_contact, 5 * options.tolerance);
   row.limit_check = limit_of_check(folder);
@@ -235,7 +239,7 @@ std::vector<SceneLimit> measure_stability_scenes(const StabilityOptions& options
                      number(file, row[3]), number(file, row[4]), number(file, row[5])});
 
   std::vector<SceneLimit> result;
-  for (const std::string scene : {"sphere", "rod_flat", "bed_ar5"}) {
+  for (const std::string scene : {"sphere", "rod_flat", "bed_ar5", "bed_ar7"}) {
     for (const int order : {3, 0}) {
       const auto found = std::find_if(known.begin(), known.end(), [&](const SceneLimit& row) {
         return row.scene == scene && row.order == order;
@@ -248,8 +252,8 @@ std::vector<SceneLimit> measure_stability_scenes(const StabilityOptions& options
         progress("stability limit: scene " + scene + ", " + method_name(order) + " order " +
                  std::to_string(order));
       SceneLimit row = {scene, order, scene_damping, 0, 0, 0};
-      if (scene == "bed_ar5")
-        measure_bed(options, row);
+      if (scene == "bed_ar5" || scene == "bed_ar7")
+        measure_bed(options, scene == "bed_ar5" ? 5 : 7, row);
       else
         measure_oscillator(options, scene == "sphere" ? 1 : 9, row);
       known.push_back(row);

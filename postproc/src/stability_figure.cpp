@@ -45,8 +45,8 @@ void plot_stability(const std::vector<StabilityLimit>& rows, const std::string& 
               blocks +
                   "set xlabel 'damping ratio {/:Italic η}'\n"
                   "set ylabel 'largest stable step {/:Italic ω}Δ{/:Italic t}'\n"
-                  "set xrange [0:0.9]\nset yrange [0:2.1]\n"
-                  "set key outside right top vertical Left reverse\n" +
+                  "set xrange [-0.01:0.91]\nset yrange [0:2.1]\nset xtics 0.2\n"
+                  "set key outside top center horizontal maxcols 2 Left reverse\n" +
                   plots + "\n");
 }
 

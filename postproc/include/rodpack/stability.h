@@ -54,8 +54,9 @@ std::vector<StabilityLimit> measure_stability(const StabilityOptions& options,
 /// - `sphere`: a sphere on the floor;
 /// - `rod_flat`: a smooth rod of AR 5 that lies on the floor with 9 spheres. The single contact is
 ///   that of the rod and the floor;
-/// - `bed_ar5`: 60 such rods at rest, made by `deposition/in.deposition`, which go on with another
-///   step in `accuracy/in.stability_bed`. The single contact is that of two rods, of half the mass.
+/// - `bed_ar5`, `bed_ar7`: 60 smooth rods at rest, made by `deposition/in.deposition`, which go on
+///   with another step in `accuracy/in.stability_bed`. The single contact is that of two rods, of
+///   half the mass.
 std::vector<SceneLimit> measure_stability_scenes(const StabilityOptions& options,
                                                  const Progress& progress = {});
 
