@@ -8,6 +8,7 @@
 #include <string>
 
 #include "liggghts_run.h"
+#include "rodpack/stability.h"
 #include "rodpack/stability_limit.h"
 
 using namespace rodpack::test;
@@ -203,4 +204,21 @@ TEST(CheckTimestepMultisphere, WrongInputsAreNamed) {
   expect_error("10 error maybe", "error must be yes or no, got 'maybe'");
   expect_error("10 planar perhaps", "planar must be auto, yes or no, got 'perhaps'");
   expect_error("10 order 3", "unknown keyword 'order', expected warn, error or planar");
+}
+
+// The measurement of the accuracy report, for four of its points: theory within 1 %, as it says.
+TEST(Stability, MeasuredLimitsAreThoseOfTheory) {
+  rodpack::StabilityOptions options;
+  options.liggghts.program = RODPACK_BIN "/liggghts";
+  options.decks = RODPACK_REPOSITORY "/inputs";
+  options.folder = fresh_folder().string();
+  options.orders = {0, 3};
+  options.damping_ratios = {0, 0.4};
+  int announced = 0;
+  const auto limits = rodpack::measure_stability(options, [&](const std::string&) { ++announced; });
+  ASSERT_EQ(limits.size(), 4u);
+  EXPECT_EQ(announced, 4);
+  for (const auto& limit : limits)
+    EXPECT_NEAR(limit.limit_measured / limit.limit_theory, 1, 5e-3)
+        << limit.order << ' ' << limit.damping_ratio;
 }
