@@ -178,9 +178,10 @@ NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
   MotionBounds not_slow = motions;  // without the corner of strongly damped motions
   not_slow.delay_max = std::max(motions.delay_min, motions.damping / motions.stiffness);
   double open = timestep_limit(order, not_slow);
+  // For real roots c <= R + kappa / R, R = rate, and c <= 2 R mean that the faster one is at most
+  // R; the second holds for steps up to `open`, whose corner has the largest c.
   const auto fast_decay_is_stable = [&](double dt) {
     const double rate = real_axis_limit(order) / dt;
-    if (motions.damping > 2.0 * rate) return false;
     return network.bound([rate](const NetworkContact& c) {
       const auto rest = [rate](double damping, double stiffness) {
         return stiffness > 0.0 ? std::max(0.0, damping - stiffness / rate) : 0.0;
