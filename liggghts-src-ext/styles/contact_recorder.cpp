@@ -126,6 +126,11 @@ void ContactRecorder::add_contact(const LIGGGHTS::ContactModels::SurfacesInterse
   record.spring = 0.0;
   record.kn = sidata.kn;
   record.kt = 0.0;
+  record.damping_n = sidata.gamman;
+  record.damping_t = sidata.gammat;
+  record.effective_mass = sidata.meff;
+  record.type_i = sidata.itype;
+  record.type_j = sidata.jtype;
   records_.push_back(record);
 }
 

@@ -20,6 +20,9 @@ struct ContactRecord {
   double overlap;    // normal overlap, m
   double spring;     // length of the tangential spring, m
   double kn, kt;     // contact stiffnesses, N/m; kt is 0 without a tangential model
+  // Dashpot constants, kg/s (that in the plane of contact acts where kt > 0); effective mass, kg.
+  double damping_n, damping_t, effective_mass;
+  int type_i, type_j;  // atom types; of a wall its material
 };
 
 /// Lists the contacts of this step. `collect` evaluates the contact forces of the pair style and of

@@ -169,9 +169,18 @@ TEST(Deposition, SaysWhenTheBedDidNotComeToRest) {
   EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
 }
 
-// At a hundred times the paper's time step particles fly through the walls, and LIGGGHTS deletes them.
+// A hundred times the paper's time step is beyond the stability limit even of a single contact.
+TEST(Deposition, RefusesATimeStepBeyondTheStabilityLimit) {
+  const auto run = run_liggghts(deck, small({{"timestep", "1.1e-3"}}));
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("of the stability limit"), std::string::npos) << run.output;
+  EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
+}
+
+// Particles that move by more than their diameter in a step fly through the walls, and LIGGGHTS
+// deletes them.
 TEST(Deposition, SaysWhenParticlesHaveLeftTheContainer) {
-  const auto run = run_liggghts(deck, small({{"timestep", "1e-3"}}));
+  const auto run = run_liggghts(deck, small({{"horizontal_speed", "1000"}}));
   EXPECT_NE(run.exit_code, 0);
   EXPECT_NE(run.output.find("particles have left the container, expected all 24"),
             std::string::npos)
