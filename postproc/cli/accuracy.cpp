@@ -2,11 +2,14 @@
 #include "rodpack/accuracy.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "commands.h"
 #include "rodpack/data_error.h"
+#include "rodpack/deck_folder.h"
+#include "rodpack/stability.h"
 
 namespace rodpack::cli {
 namespace {
@@ -19,6 +22,22 @@ const std::vector<double> quick_steps = {28.37, 57.37, 114.37};
 const std::vector<std::string> quick_scenes = {"collision_0.2", "oblique_slip", "rod_drop",
                                                "spin_3d", "rod_rocking"};
 
+void measure_stability_into(const AccuracySettings& settings, const std::string& folder) {
+  StabilityOptions options;
+  options.liggghts = settings.liggghts;
+  const std::filesystem::path deck = find_deck("accuracy/in.stability", settings.inputs);
+  options.decks = deck.parent_path().parent_path().string();
+  options.folder = folder;
+  const auto progress = [](const std::string& what) { std::cout << what << std::endl; };
+  write_stability(measure_stability(options, progress), folder);
+  write_stability_scenes(measure_stability_scenes(options, progress), folder);
+  std::cout << "written: " << folder << "/stability.csv, .png, .svg, stability_scenes.csv\n";
+}
+
+bool wanted(const AccuracySettings& settings, const char* scene) {
+  return std::find(settings.scenes.begin(), settings.scenes.end(), scene) != settings.scenes.end();
+}
+
 }  // namespace
 
 void add_accuracy(CLI::App& app) {
@@ -30,6 +49,7 @@ void add_accuracy(CLI::App& app) {
   auto options = std::make_shared<Options>();
   auto& settings = options->settings;
   settings.scenes.push_back(settling_scene);
+  settings.scenes.push_back(stability_scene);
   auto* command = app.add_subcommand(
       "accuracy",
       "Error against cost of the integrators: runs small scenes with a known end at many time "
@@ -93,7 +113,7 @@ void add_accuracy(CLI::App& app) {
     if (steps->count() == 0) s.steps = options->quick ? quick_steps : all_steps;
     try {
       for (const auto& name : s.scenes)
-        if (name != settling_scene) accuracy_scene(name);
+        if (name != settling_scene && name != stability_scene) accuracy_scene(name);
       for (const auto& name : s.methods) accuracy_method(name);
     } catch (const DataError& error) {
       throw CLI::ValidationError(error.what());
@@ -105,12 +125,11 @@ void add_accuracy(CLI::App& app) {
     if (s.liggghts.program.empty()) s.liggghts.program = liggghts_beside_this_program();
     const auto rows = measure_accuracy(s, options->out, std::cout);
     std::vector<SettlingRow> settling;
-    if (std::find(s.scenes.begin(), s.scenes.end(), settling_scene) != s.scenes.end())
-      settling = measure_settling(s, options->out, std::cout);
+    if (wanted(s, settling_scene)) settling = measure_settling(s, options->out, std::cout);
     report_accuracy(rows, settling, s, options->out);
-    // A place for the stability limit (rodpack/stability.h, stability.csv) once it is a library.
     std::cout << "written: " << options->out << "/accuracy.csv, accuracy.md, *_evaluations and "
               << "*_seconds .png .svg\n";
+    if (wanted(s, stability_scene)) measure_stability_into(s, options->out);
   });
 }
 

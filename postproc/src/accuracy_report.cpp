@@ -181,7 +181,7 @@ void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<Set
                      const AccuracySettings& settings, const std::string& folder) {
   std::string table, scenes;
   for (const auto& name : settings.scenes) {
-    if (name == settling_scene) continue;
+    if (name == settling_scene || name == stability_scene) continue;
     const auto scene = accuracy_scene(name);
     const double of_paper = scene.contact_time / paper_step;
     const auto stock_rows = select(rows, name, "builtin");

@@ -51,6 +51,8 @@ struct AccuracyScene {
 };
 /// Name of the scene whose trajectories are chaotic, so that only means can be compared.
 constexpr const char* settling_scene = "settling";
+/// Name under which the limits of stability (rodpack/stability.h) are asked for.
+constexpr const char* stability_scene = "stability";
 
 /// With its reference, which takes up to a second. @throws DataError naming those there are.
 AccuracyScene accuracy_scene(const std::string& name);
