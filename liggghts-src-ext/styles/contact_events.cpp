@@ -21,7 +21,7 @@ namespace {
 
 constexpr int change_values = sizeof(ContactEvents::Changes) / sizeof(double);
 constexpr int motion_values = 2 * sizeof(ContactEvents::AtomMotion) / sizeof(double);
-static_assert(change_values == 24 && motion_values == 38, "plain doubles, stored per atom");
+static_assert(change_values == 25 && motion_values == 38, "plain doubles, stored per atom");
 
 FixPropertyAtom* add_property(Modify* modify, const char* name, int values, bool restart,
                               const char* caller) {
@@ -91,13 +91,14 @@ void ContactEvents::add(const Contact& contact, const double (&now)[3], const do
   turning_rate(contact, turn);
   const double normal = vectorDot3D(now, contact.en), inwards = vectorDot3D(now, turn);
   for (int d = 0; d < 3; ++d) turning[d] = rate[d] + normal * turn[d] - inwards * contact.en[d];
-  add(contact, rodpack::linear_change(now, turning, since));
-  local_jump_ = local_jump_ || jumps;
+  add(contact, rodpack::linear_change(now, turning, since), jumps);
 }
 
-void ContactEvents::add(const Contact& contact, const ForceChange& on_i) {
+void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool jumps) {
   if (bodies_->belongs_to(contact.i) < 0) return;
   if (!contact.is_wall && bodies_->belongs_to(contact.j) < 0) return;
+  local_jump_ = local_jump_ || jumps;
+  if (is_changed_.size() < static_cast<size_t>(atom->nmax)) is_changed_.resize(atom->nmax, 0);
   double turn[3], lever[3], rate[3];
   turning_rate(contact, turn);
   const double share = contact.is_wall ? contact.area_ratio : 1.0;
@@ -115,6 +116,9 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i) {
     Changes& sum = *reinterpret_cast<Changes*>(changes_->array_atom[atom_index]);
     sum.force += force;
     sum.torque += rodpack::torque_change(lever, rate, force);
+    sum.jumps += jumps;
+    if (is_changed_[atom_index]) return;
+    is_changed_[atom_index] = 1;
     changed_.push_back(atom_index);
   };
   add_to(contact.i, 1.0, contact.cri);
@@ -127,8 +131,7 @@ const ContactEvents::AtomMotion* ContactEvents::changed_motion(int i) const {
   return found.last.step == now ? &found.last : found.before.step == now ? &found.before : NULL;
 }
 
-bool ContactEvents::motion_changed(const Contact& contact, Motion& change) const {
-  if (!follows_jump_) return false;
+bool ContactEvents::find_change(const Contact& contact, Motion& change) const {
   const AtomMotion* of_i = changed_motion(contact.i);
   const AtomMotion* of_j = contact.is_wall ? NULL : changed_motion(contact.j);
   if (!of_i && !of_j) return false;
@@ -189,8 +192,8 @@ bool ContactEvents::collect() {
   local_jump_ = false;
   if (state == 0) return false;
 
+  // in the order of the atoms, whatever that of the contacts
   std::sort(changed_.begin(), changed_.end());
-  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   if (comm->nprocs > 1) {
     changes_->do_forward_comm();
     for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; ++i) {
@@ -203,7 +206,10 @@ bool ContactEvents::collect() {
 }
 
 void ContactEvents::clear() {
-  for (int i : changed_) std::fill_n(changes_->array_atom[i], change_values, 0.0);
+  for (int i : changed_) {
+    std::fill_n(changes_->array_atom[i], change_values, 0.0);
+    if (i < atom->nlocal) is_changed_[i] = 0;
+  }
   changed_.clear();
 }
 

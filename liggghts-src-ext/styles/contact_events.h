@@ -35,7 +35,7 @@ class ContactEvents : protected Pointers {
   /// acceleration of the bodies jumped.
   void add(const Contact& contact, const double (&now)[3], const double (&rate)[3], double since,
            bool jumps = false);
-  void add(const Contact& contact, const rodpack::ForceChange& on_i);
+  void add(const Contact& contact, const rodpack::ForceChange& on_i, bool jumps = false);
 
   /// By how much the motion of i's surface relative to j's, at the contact, has changed in the step
   /// before because forces jumped; false if it has not. Also right at set-up, for the evaluation
@@ -43,7 +43,9 @@ class ContactEvents : protected Pointers {
   struct Motion {
     double acceleration[3], velocity[3], displacement[3];  // seen at the end of that step, SI
   };
-  bool motion_changed(const Contact& contact, Motion& change) const;
+  bool motion_changed(const Contact& contact, Motion& change) const {
+    return follows_jump_ && find_change(contact, change);
+  }
 
   /// A pair that has just lost contact as if it were still in touch, of negative overlap: what the
   /// surface model sets for a pair in contact, and `meff`.
@@ -64,6 +66,7 @@ class ContactEvents : protected Pointers {
   const std::vector<int>& changed() const { return changed_; }
   struct Changes {
     rodpack::ForceChange force, torque;  // torque about the centre of the sphere
+    double jumps;                        // how many of them jumped
   };
   const Changes& changes(int i) const;
   /// Forgets the changes.
@@ -90,12 +93,14 @@ class ContactEvents : protected Pointers {
   };
   Motions& motions(int i) const;
   const AtomMotion* changed_motion(int i) const;
+  bool find_change(const Contact& contact, Motion& change) const;
 
   static ContactEvents* armed_;
   const class FixMultisphere* bodies_;
   class FixPropertyAtom* changes_ = NULL;
   class FixPropertyAtom* motion_ = NULL;
   std::vector<int> changed_;
+  std::vector<char> is_changed_;  // of each atom, whether it is in that list
   bool local_jump_ = false, any_jumped_ = false;
   // Whether motions may have changed in this step, in the last one; unknown after a restart.
   bool pending_ = true, follows_jump_ = true;

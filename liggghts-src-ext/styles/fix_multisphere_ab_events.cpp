@@ -83,6 +83,7 @@ void FixMultisphereAB::sum_changes() {
     ContactEvents::Changes& sum = changes_[place_[body]];
     sum.force += change.force;
     sum.torque += change.torque;
+    sum.jumps += change.jumps;
     sum.torque += rodpack::torque_change(lever, rate, change.force);
   }
 }
@@ -200,7 +201,7 @@ void FixMultisphereAB::publish(const std::vector<BodyMotion>& motions) {
   for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
     if (body_[i] < 0) continue;
     const int body = map(body_[i]);
-    if (body < 0 || place_[body] < 0) continue;
+    if (body < 0 || place_[body] < 0 || !(changes_[place_[body]].jumps > 0.0)) continue;
     // Ghosts of several ranks get theirs by communication.
     if (comm->nprocs > 1 && !domain->is_owned_or_first_ghost(i)) continue;
     const BodyMotion& of_body = motions[place_[body]];

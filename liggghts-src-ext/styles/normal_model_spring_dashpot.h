@@ -191,11 +191,12 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     }
     events.add(contact, rodpack::dashpot_change(contact.gamman, parts[0], parts[1], parts[2], dt));
     if (!was_fresh) return;
-    // Two evaluations after touch give the rate that was guessed at touch.
+    // Two evaluations after touch give the rate that was guessed at touch. What was missed has been
+    // felt by other contacts of the bodies, hence `jumps`.
     const double at_touch = history[UNCUT] - contact.gamman * normal[1];
     const double applied = history[TOUCH_RATE] - contact.gamman * normal[0];
     const double missed = (uncut - at_touch) / dt - applied;
-    along_normal(contact, missed * dt, missed, dt, false, events);
+    along_normal(contact, missed * dt, missed, dt, true, events);
   }
 
   /// The force before the cut has changed sign within the step.

@@ -110,30 +110,17 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     double tangential[3];
     const double friction = friction_[sidata.itype][sidata.jtype] * sidata.kn;
     bool sliding = count(history) < 0.0 && sidata.kt > 0.0;
-    FrictionForce law = {};
-    if (renewed && events_ && past.alive && sidata.gammat > 0.0) {
-      FrictionStep step = {sidata.kt,
-                           sidata.gammat,
-                           friction * sidata.deltan,
-                           -friction * sidata.vn,
-                           update->dt,
-                           {},
-                           past.known,
-                           {},
-                           past.sliding};
-      for (int k = 0; k < past.known; ++k)
-        std::copy(history + 3 * (k + 1), history + 3 * (k + 2), step.velocity[k]);
-      std::copy(past.spring, past.spring + 3, step.spring_before);
-      law = rodpack::friction_force(step, spring);
+    FrictionForce law;
+    law.changed = false;
+    if (renewed && events_ && past.alive && sidata.gammat > 0.0 &&
+        may_change_branch(sidata, past, spring, velocity, friction * sidata.deltan)) {
+      law = follow_through_step(sidata, past, history, friction, update->dt, spring);
       std::copy(law.force, law.force + 3, tangential);
       sliding = law.slides;
     } else if (renewed || !sliding) {
-      for (int d = 0; d < 3; ++d)
-        law.former[d] = -(sidata.kt * spring[d] + sidata.gammat * velocity[d]);
       sliding = rodpack::tangential_force(sidata.kt, sidata.gammat,
                                           std::max(friction * sidata.deltan, 0.0), spring, velocity,
                                           tangential);
-      law.slides = sliding;
     }
     // A sliding contact's spring alone carries the force: taken from it, the force is the same when
     // it is evaluated again in the same step.
@@ -143,7 +130,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       std::copy(spring, spring + 3, history);
       if (sliding) count(history) = -count(history);
       if (ContactEvents* events = ContactEvents::armed())
-        report(sidata, past, law, tangential, *events);
+        report(sidata, past, law, tangential, sliding, *events);
     }
     apply(sidata, tangential, i_forces, j_forces);
     if (ContactRecorder* recorder = ContactRecorder::armed())
@@ -295,6 +282,37 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     return since_touch;
   }
 
+  /// Whether a contact that lives on is not simply stuck, before and now.
+  static bool may_change_branch(const SurfacesIntersectData& contact, const Past& past,
+                                const double (&spring)[3], const double (&velocity)[3],
+                                double cap) {
+    if (past.sliding) return true;
+    double squared = 0.0;
+    for (int d = 0; d < 3; ++d) {
+      const double component = contact.kt * spring[d] + contact.gammat * velocity[d];
+      squared += component * component;
+    }
+    return squared > cap * cap;
+  }
+
+  /// `friction`: mu k_n. Sets the spring.
+  static FrictionForce follow_through_step(const SurfacesIntersectData& contact, const Past& past,
+                                           const double* history, double friction, double dt,
+                                           double (&spring)[3]) {
+    FrictionStep step;
+    step.stiffness = contact.kt;
+    step.damping = contact.gammat;
+    step.cap = friction * contact.deltan;
+    step.cap_rate = -friction * contact.vn;
+    step.dt = dt;
+    step.known = past.known;
+    step.slid = past.sliding;
+    std::copy(past.spring, past.spring + 3, step.spring_before);
+    for (int k = 0; k < past.known; ++k)
+      std::copy(history + 3 * (k + 1), history + 3 * (k + 2), step.velocity[k]);
+    return rodpack::friction_force(step, spring);
+  }
+
   /// Puts into the spring and the velocities of the past what an event in the last step, which they
   /// could not know of, did to the bodies.
   void follow_bodies(const double* en, int known, ContactEvents::Motion& change,
@@ -311,14 +329,15 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
 
   /// Reports the events of a contact under `force`.
   void report(const SurfacesIntersectData& contact, const Past& past, const FrictionForce& law,
-              const double (&force)[3], ContactEvents& events) const {
+              const double (&force)[3], bool sliding, ContactEvents& events) const {
+    if (past.alive && !law.changed && (sliding || past.sliding || !past.moved)) return;
     const double dt = update->dt, kt = contact.kt, gamma = contact.gammat;
     double now[3], rate[3];
     if (!past.alive) {
       if (!(past.since > 0.0)) return;
       const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-      for (int d = 0; d < 3; ++d) rate[d] = law.slides ? force[d] / past.since : -kt * velocity[d];
-      events.add(contact, force, rate, past.since, !law.slides && gamma > 0.0);
+      for (int d = 0; d < 3; ++d) rate[d] = sliding ? force[d] / past.since : -kt * velocity[d];
+      events.add(contact, force, rate, past.since, !sliding && gamma > 0.0);
       return;
     }
     if (law.changed) {
@@ -330,7 +349,6 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       events.add(contact, now, rate, law.since, law.jumps);
       return;
     }
-    if (law.slides || past.sliding || !past.moved) return;
     const ContactEvents::Motion& change = past.change;
     ForceChange of_dashpot = rodpack::dashpot_change(gamma, change.acceleration, change.velocity,
                                                      change.displacement, dt);
@@ -349,7 +367,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       missed.sweep[d] =
           missed.rate[d] * (dt * dt * dt / 6.0 - since * since * (0.5 * dt + since / 3.0));
     }
-    events.add(contact, missed);
+    events.add(contact, missed, true);
   }
 
   /// Reports that a contact has opened within the step: `contact` goes on with negative overlap.
