@@ -34,24 +34,6 @@ FixPropertyAtom* add_property(Modify* modify, const char* name, int values, bool
   return modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), caller);
 }
 
-/// Lever from the centre of a sphere to the contact, in direction `sign` of the normal, and its
-/// rate: the overlap changes its length, and the normal turns.
-void contact_lever(const ContactEvents::Contact& contact, const double (&turn)[3], double length,
-                   double sign, double (&lever)[3], double (&rate)[3]) {
-  for (int d = 0; d < 3; ++d) {
-    lever[d] = sign * length * contact.en[d];
-    rate[d] = sign * (0.5 * contact.vn * contact.en[d] + length * turn[d]);
-  }
-}
-
-/// Rate at which the normal turns, 1/s; that of a wall does not.
-void turning_rate(const ContactEvents::Contact& contact, double (&rate)[3]) {
-  for (int d = 0; d < 3; ++d)
-    rate[d] = contact.is_wall
-                  ? 0.0
-                  : (contact.v_i[d] - contact.v_j[d] - contact.vn * contact.en[d]) * contact.rinv;
-}
-
 }  // namespace
 
 ContactEvents* ContactEvents::armed_ = NULL;
@@ -87,10 +69,8 @@ ContactEvents::Motions& ContactEvents::motions(int i) const {
 void ContactEvents::add(const Contact& contact, const double (&now)[3], const double (&rate)[3],
                         double since, bool jumps) {
   // A force that keeps its components in the frame of the contact turns with it.
-  double turn[3], turning[3];
-  turning_rate(contact, turn);
-  const double normal = vectorDot3D(now, contact.en), inwards = vectorDot3D(now, turn);
-  for (int d = 0; d < 3; ++d) turning[d] = rate[d] + normal * turn[d] - inwards * contact.en[d];
+  double turning[3];
+  rodpack::rate_in_space(contact, now, rate, turning);
   add(contact, rodpack::linear_change(now, turning, since), jumps);
 }
 
@@ -100,7 +80,7 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
   local_jump_ = local_jump_ || jumps;
   if (is_changed_.size() < static_cast<size_t>(atom->nmax)) is_changed_.resize(atom->nmax, 0);
   double turn[3], lever[3], rate[3];
-  turning_rate(contact, turn);
+  rodpack::normal_turning_rate(contact, turn);
   const double share = contact.is_wall ? contact.area_ratio : 1.0;
   const auto add_to = [&](int atom_index, double sign, double length) {
     if (atom_index >= atom->nlocal) return;  // its owner sees this contact too
@@ -112,7 +92,7 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
       force.impulse[d] *= sign * share;
       force.sweep[d] *= sign * share;
     }
-    contact_lever(contact, turn, length, -sign, lever, rate);
+    rodpack::contact_lever(contact, turn, length, -sign, lever, rate);
     Changes& sum = *reinterpret_cast<Changes*>(changes_->array_atom[atom_index]);
     sum.force += force;
     sum.torque += rodpack::torque_change(lever, rate, force);
@@ -129,6 +109,11 @@ const ContactEvents::AtomMotion* ContactEvents::changed_motion(int i) const {
   const Motions& found = motions(i);
   const double now = static_cast<double>(update->ntimestep);
   return found.last.step == now ? &found.last : found.before.step == now ? &found.before : NULL;
+}
+
+const ContactEvents::AtomMotion* ContactEvents::motion_for_next_step(int i) const {
+  const Motions& found = motions(i);
+  return found.last.step == static_cast<double>(update->ntimestep + 1) ? &found.last : NULL;
 }
 
 bool ContactEvents::find_change(const Contact& contact, Motion& change) const {

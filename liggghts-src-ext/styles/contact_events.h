@@ -5,6 +5,7 @@
 #include <vector>
 #include "contact_interface.h"
 #include "pointers.h"
+#include "rodpack/contact_motion.h"
 #include "rodpack/force_change.h"
 
 namespace LAMMPS_NS {
@@ -40,9 +41,7 @@ class ContactEvents : protected Pointers {
   /// By how much the motion of i's surface relative to j's, at the contact, has changed in the step
   /// before because forces jumped; false if it has not. Also right at set-up, for the evaluation
   /// that is repeated there.
-  struct Motion {
-    double acceleration[3], velocity[3], displacement[3];  // seen at the end of that step, SI
-  };
+  typedef rodpack::MotionChange Motion;
   bool motion_changed(const Contact& contact, Motion& change) const {
     return follows_jump_ && find_change(contact, change);
   }
@@ -80,6 +79,8 @@ class ContactEvents : protected Pointers {
     double angular_acceleration[3], angular_velocity[3], rotation[3];
     double step;  // at whose end it happened, plus 1; 0: never
   };
+  /// What was published for the next step, null if nothing.
+  const AtomMotion* motion_for_next_step(int i) const;
   /// Before publish() is called for the spheres of the bodies that this rank owns, and after.
   void begin_publishing();
   void publish(int i, const AtomMotion& motion);

@@ -17,6 +17,11 @@ FixStyle(multisphere/ab,FixMultisphereAB)
 #include "fix_multisphere.h"
 #include "multistep_options.h"
 
+namespace rodpack {
+struct PlanarBody;
+struct PlanarRates;
+}  // namespace rodpack
+
 namespace LAMMPS_NS {
 
 /// Rigid bodies advanced by Adams-Bashforth steps of order 1 to 4 in place of velocity Verlet.
@@ -41,6 +46,14 @@ class FixMultisphereAB : public FixMultisphere {
   /// For the contact models: "multistep_order", the order, int*; "contact_events", ContactEvents*,
   /// null unless events are followed.
   void* extract(const char*, int&) override;
+
+  // for run_style planar (fix_multisphere_ab_planar.cpp)
+  int order() const { return order_; }
+  bool planar() const { return planar_; }
+  bool follows_events() const { return events_ != NULL; }
+  rodpack::PlanarBody to_planar(int body, const std::vector<int>& atoms);
+  void from_planar(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
+  void finish_planar();
 
  private:
   // one record of rates of a body: as many values as rodpack::PlanarRates, rodpack::SpatialRates
@@ -67,6 +80,9 @@ class FixMultisphereAB : public FixMultisphere {
   void set_axes_planar(int body);
   void move_planar(int body);
   void move_spatial(int body);
+  rodpack::PlanarRates* planar_record(int body, int age);
+  void read_jump(int body, const std::vector<int>& atoms, rodpack::PlanarBody& planar);
+  void publish_jump(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
 
   // events of contacts
   struct BodyMotion;

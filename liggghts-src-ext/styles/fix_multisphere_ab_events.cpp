@@ -104,9 +104,7 @@ void FixMultisphereAB::correct_planar(int body, const ContactEvents::Changes& su
   if (evaluations_->get(body) == 0) return;  // no past yet
   for (int k = 1; k < order_; ++k) {
     const double age = k * update->dt;
-    double* record = options_.always_planar() ? (*past_planar_[order_ - 1 - k])(body)
-                                              : (*past_spatial_[order_ - 1 - k])(body);
-    rodpack::PlanarRates& rates = *reinterpret_cast<rodpack::PlanarRates*>(record);
+    rodpack::PlanarRates& rates = *planar_record(body, k);
     for (int d = 0; d < 2; ++d) {
       rates.velocity[d] += sum.force.past_momentum(d, age) / mass;
       rates.acceleration[d] += sum.force.past_force(d, age) / mass;

@@ -7,7 +7,6 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #ifndef NORMAL_MODEL_SPRING_DASHPOT_H_
 #define NORMAL_MODEL_SPRING_DASHPOT_H_
 
-#include <algorithm>
 #include <string>
 #include "contact_events.h"
 #include "contact_models.h"
@@ -17,6 +16,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #include "global_properties.h"
 #include "normal_model_base.h"
 #include "rodpack/contact_law.h"
+#include "rodpack/normal_history.h"
 #include "update.h"
 
 namespace LIGGGHTS {
@@ -112,23 +112,23 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
   void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
     if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_NORMAL_MODEL;
     if (!scdata.contact_history) return;
-    double* const history = &scdata.contact_history[offset_];
-    if (history[STEP] == 0.0) return;
+    rodpack::NormalHistory& history = kept(scdata.contact_history);
+    if (history.step == 0.0) return;
     ContactEvents* const events = ContactEvents::armed();
     if (events && lives_on(history)) {
       SurfacesIntersectData contact = events->as_if_in_contact(scdata);
       set_coefficients(contact);
-      const double uncut = contact.kn * contact.deltan - contact.gamman * contact.vn;
-      // A force that was cut off before has had its event.
-      if (history[UNCUT] > 0.0 && uncut < 0.0) cross_zero(contact, history, uncut, *events);
+      rodpack::end_normal_force(contact, history, update->dt, *events);
     }
-    std::fill_n(history, VALUES, 0.0);
+    history = rodpack::NormalHistory();
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
 
  private:
-  enum { UNCUT = 0, TOUCH_RATE, FRESH, STEP, VALUES };
+  rodpack::NormalHistory& kept(double* contact_history) const {
+    return *reinterpret_cast<rodpack::NormalHistory*>(contact_history + offset_);
+  }
 
   void set_coefficients(SurfacesIntersectData& contact) const {
     const int i = contact.itype, j = contact.jtype;
@@ -138,83 +138,22 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     contact.gammat = rodpack::damping_coefficient(eta_t_[i][j], contact.meff, contact.kt);
   }
 
-  bool lives_on(const double* history) const {
-    return history[STEP] == static_cast<double>(update->ntimestep);
+  bool lives_on(const rodpack::NormalHistory& history) const {
+    return history.step == static_cast<double>(update->ntimestep);
   }
 
   /// Keeps the history of a contact whose force is `uncut` before the cut, and reports its events.
   void follow(const SurfacesIntersectData& contact, double uncut) const {
     if (!contact.computeflag) return;
-    double* const history = &contact.contact_history[offset_];
+    rodpack::NormalHistory& history = kept(contact.contact_history);
     const bool alive = lives_on(history);
+    const double stamp = static_cast<double>(update->ntimestep + 1);
     // At set-up the evaluation of the last step is repeated, except after `restart N`, which saves
     // the contacts of pairs as they were one evaluation before.
-    if (!contact.shearupdate && history[STEP] != 0.0 && !alive) {
-      history[STEP] = static_cast<double>(update->ntimestep + 1);
-      return;
-    }
-    const bool was_fresh = history[FRESH] != 0.0;
-    history[FRESH] = 0.0;
-    ContactEvents* const events = ContactEvents::armed();
-    if (!alive)
-      touch(contact, history, uncut, events);
-    else if (events)
-      go_on(contact, history, uncut, was_fresh, *events);
-    history[UNCUT] = uncut;
-    history[STEP] = static_cast<double>(update->ntimestep + 1);
-  }
-
-  void touch(const SurfacesIntersectData& contact, double* history, double uncut,
-             ContactEvents* events) const {
-    if (contact.vn >= 0.0) return;
-    // The closing speed is taken as constant since touch; that gives the impulse of the dashpot
-    // exactly, and what it misses of the rate is made good in the next step.
-    const double since = std::min(update->dt, -contact.deltan / contact.vn);
-    history[TOUCH_RATE] = -contact.kn * contact.vn;
-    history[FRESH] = 1.0;
-    if (events)
-      along_normal(contact, uncut, history[TOUCH_RATE], since, contact.gamman > 0.0, *events);
-  }
-
-  void go_on(const SurfacesIntersectData& contact, const double* history, double uncut,
-             bool was_fresh, ContactEvents& events) const {
-    const double dt = update->dt;
-    if ((uncut > 0.0) != (history[UNCUT] > 0.0)) cross_zero(contact, history, uncut, events);
-    ContactEvents::Motion change;
-    if (!(uncut > 0.0) || !events.motion_changed(contact, change)) return;
-    double parts[3][3];
-    const double* const in_full[3] = {change.acceleration, change.velocity, change.displacement};
-    double normal[3];
-    for (int k = 0; k < 3; ++k) {
-      normal[k] = vectorDot3D(in_full[k], contact.en);
-      for (int d = 0; d < 3; ++d) parts[k][d] = normal[k] * contact.en[d];
-    }
-    events.add(contact, rodpack::dashpot_change(contact.gamman, parts[0], parts[1], parts[2], dt));
-    if (!was_fresh) return;
-    // Two evaluations after touch give the rate that was guessed at touch. What was missed has been
-    // felt by other contacts of the bodies, hence `jumps`.
-    const double at_touch = history[UNCUT] - contact.gamman * normal[1];
-    const double applied = history[TOUCH_RATE] - contact.gamman * normal[0];
-    const double missed = (uncut - at_touch) / dt - applied;
-    along_normal(contact, missed * dt, missed, dt, true, events);
-  }
-
-  /// The force before the cut has changed sign within the step.
-  void cross_zero(const SurfacesIntersectData& contact, const double* history, double uncut,
-                  ContactEvents& events) const {
-    const double dt = update->dt, sign = uncut > 0.0 ? 1.0 : -1.0;
-    const double since = rodpack::time_since_zero(history[UNCUT], uncut, dt);
-    along_normal(contact, sign * uncut, sign * (uncut - history[UNCUT]) / dt, since, false, events);
-  }
-
-  static void along_normal(const SurfacesIntersectData& contact, double force, double rate,
-                           double since, bool jumps, ContactEvents& events) {
-    double now[3], growing[3];
-    for (int d = 0; d < 3; ++d) {
-      now[d] = force * contact.en[d];
-      growing[d] = rate * contact.en[d];
-    }
-    events.add(contact, now, growing, since, jumps);
+    if (contact.shearupdate || history.step == 0.0 || alive)
+      rodpack::follow_normal_force(contact, history, uncut, alive, update->dt,
+                                   ContactEvents::armed());
+    history.step = stamp;
   }
 
   int offset_;      // of its values in a contact's history

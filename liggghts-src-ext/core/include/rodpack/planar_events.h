@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_PLANAR_EVENTS_H
+#define RODPACK_PLANAR_EVENTS_H
+
+#include <vector>
+
+#include "contact_motion.h"
+#include "force_change.h"
+#include "planar_contact.h"
+#include "planar_scene.h"
+
+namespace rodpack {
+
+/// Events of the contacts of planar bodies: sums the changes of forces over the bodies, and tells
+/// contacts what jumps did to their bodies in the step before. An `Events` of normal_history.h.
+class PlanarEvents {
+ public:
+  struct Changes {
+    int body;
+    ForceChange force, torque;  // torque about the centre of mass
+    bool jumps;
+  };
+
+  explicit PlanarEvents(int bodies) : place_(bodies, -1), jumped_(bodies, 0), motions_(bodies) {}
+
+  void add(const PlanarContact& contact, const double (&now)[3], const double (&rate)[3],
+           double since, bool jumps) {
+    double turning[3];
+    rate_in_space(contact, now, rate, turning);
+    add(contact, linear_change(now, turning, since), jumps);
+  }
+
+  void add(const PlanarContact& contact, const ForceChange& on_i, bool jumps) {
+    double turn[3];
+    normal_turning_rate(contact, turn);
+    add_to(contact, turn, contact.body_i, 1.0, contact.cri, contact.arm_i, contact.v_i,
+           contact.body_v_i, on_i, jumps);
+    if (!contact.is_wall)
+      add_to(contact, turn, contact.body_j, -1.0, contact.crj, contact.arm_j, contact.v_j,
+             contact.body_v_j, on_i, jumps);
+  }
+
+  bool motion_changed(const PlanarContact& contact, MotionChange& change) const {
+    const bool of_i = jumped_[contact.body_i] != 0;
+    const bool of_j = !contact.is_wall && jumped_[contact.body_j] != 0;
+    if (!of_i && !of_j) return false;
+    change = MotionChange();
+    if (of_i)
+      add_motion(contact, motions_[contact.body_i], 1.0, contact.cri, contact.offset_i, change);
+    if (of_j)
+      add_motion(contact, motions_[contact.body_j], -1.0, contact.crj, contact.offset_j, change);
+    return true;
+  }
+
+  bool jumped(int body) const { return jumped_[body] != 0; }
+  const PlanarMotionChange& motion(int body) const { return motions_[body]; }
+  void set_jumped(int body, const PlanarMotionChange& motion) {
+    if (!jumped_[body]) jumped_bodies_.push_back(body);
+    jumped_[body] = 1;
+    motions_[body] = motion;
+  }
+  /// Before the jumps of a new step are set.
+  void forget_jumps() {
+    for (int body : jumped_bodies_) jumped_[body] = 0;
+    jumped_bodies_.clear();
+  }
+
+  const std::vector<Changes>& changes() const { return changes_; }
+  void forget_changes() {
+    for (const Changes& change : changes_) place_[change.body] = -1;
+    changes_.clear();
+  }
+
+ private:
+  void add_to(const PlanarContact& contact, const double (&turn)[3], int body, double sign,
+              double length, const double (&arm)[3], const double (&v)[3],
+              const double (&body_v)[3], const ForceChange& on_i, bool jumps) {
+    ForceChange force = on_i;
+    double lever[3], rate[3];
+    // the lever of i points against the force that pushes i away, that of j too
+    contact_lever(contact, turn, length, -sign, lever, rate);
+    for (int d = 0; d < 3; ++d) {
+      force.now[d] *= sign;
+      force.rate[d] *= sign;
+      force.impulse[d] *= sign;
+      force.sweep[d] *= sign;
+      lever[d] += arm[d];
+      rate[d] += v[d] - body_v[d];
+    }
+    if (place_[body] < 0) {
+      place_[body] = static_cast<int>(changes_.size());
+      changes_.push_back(Changes{body, ForceChange(), ForceChange(), false});
+    }
+    Changes& sum = changes_[place_[body]];
+    sum.force += force;
+    sum.torque += torque_change(lever, rate, force);
+    sum.jumps = sum.jumps || jumps;
+  }
+
+  static void add_motion(const PlanarContact& contact, const PlanarMotionChange& motion,
+                         double sign, double length, const double (&offset)[2],
+                         MotionChange& change) {
+    const double arm_x = motion.cosine * offset[0] - motion.sine * offset[1];
+    const double arm_y = motion.sine * offset[0] + motion.cosine * offset[1];
+    const double lever_x = arm_x - sign * length * contact.en[0];
+    const double lever_y = arm_y - sign * length * contact.en[1];
+    const auto surface = [&](const double(&of_body)[3], double(&sum)[3]) {
+      sum[0] += sign * (of_body[0] - of_body[2] * lever_y);
+      sum[1] += sign * (of_body[1] + of_body[2] * lever_x);
+    };
+    surface(motion.acceleration, change.acceleration);
+    surface(motion.velocity, change.velocity);
+    surface(motion.displacement, change.displacement);
+  }
+
+  std::vector<int> place_;  // of a body in changes_, -1: not there
+  std::vector<Changes> changes_;
+  std::vector<char> jumped_;
+  std::vector<int> jumped_bodies_;
+  std::vector<PlanarMotionChange> motions_;
+};
+
+}  // namespace rodpack
+
+#endif

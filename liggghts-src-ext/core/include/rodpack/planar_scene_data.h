@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_PLANAR_SCENE_DATA_H
+#define RODPACK_PLANAR_SCENE_DATA_H
+
+#include <cstdint>
+#include <vector>
+
+#include "aligned_vector.h"
+#include "planar_blocks.h"
+#include "planar_contact.h"
+#include "planar_events.h"
+#include "planar_scene.h"
+#include "tangential_history.h"
+
+namespace rodpack {
+
+/// x, y, about z, unused: one register.
+struct alignas(32) PlanarVector {
+  double d[4];
+};
+
+/// What is constant about a body, and where it was listed.
+struct PlanarBodyInfo {
+  int type;
+  double mass, moment, radius;
+  double reach;               // of its farthest point from the centre of mass
+  int first, count;           // of its spheres
+  double skin;                // that it was listed with
+  double x, y, cosine, sine;  // when it was listed
+};
+
+/// Chains of bodies in a grid of cells, by the positions at which they were listed.
+class PlanarGrid {
+ public:
+  void build(const std::vector<PlanarBodyInfo>& bodies, double cell);
+  void move(int body, double x, double y);
+  /// Calls visit(other) for all bodies of the cells around that of (x, y).
+  template <class Visit>
+  void around(double x, double y, Visit visit) const {
+    const int cx = column(x), cy = row(y);
+    for (int iy = cy > 0 ? cy - 1 : 0; iy <= cy + 1 && iy < ny_; ++iy)
+      for (int ix = cx > 0 ? cx - 1 : 0; ix <= cx + 1 && ix < nx_; ++ix)
+        for (int body = head_[iy * nx_ + ix]; body >= 0; body = next_[body]) visit(body);
+  }
+
+ private:
+  // Bodies beyond the edge go into the cells of the edge, which keeps neighbours neighbours.
+  static int clamped(double place, int count) {
+    return place > 0.0 ? (place < count ? static_cast<int>(place) : count - 1) : 0;
+  }
+  int column(double x) const { return clamped((x - x0_) * inverse_, nx_); }
+  int row(double y) const { return clamped((y - y0_) * inverse_, ny_); }
+  void link(int body, int cell);
+
+  double x0_ = 0.0, y0_ = 0.0, inverse_ = 1.0;
+  int nx_ = 1, ny_ = 1;
+  std::vector<int> head_, next_, previous_, cell_;
+};
+
+struct PlanarScene::Data {
+  Data(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies);
+
+  // planar_scene.cpp
+  void integrate();
+  void advance_all();
+  void make_missed_motion(int body);
+  void fill_past(int body);
+  void apply_events();
+  void begin_forces();
+  // planar_lists.cpp
+  void list_all();
+  void renew_lists();
+  void list(int body);
+  void list_pair(int i, int j);
+  void list_walls(int i);
+  void sort_blocks();
+  double wanted_skin(int body) const;
+  void set_coefficients(PlanarBlock& block) const;
+  // planar_forces.cpp
+  void evaluate_pairs();
+  void evaluate_walls();
+  void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
+  bool place_lane(const PlanarBlock& block, int lane, PlanarContact& contact) const;
+  void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
+
+  TangentialStep tangential_step() const { return {settings.order, now, settings.dt}; }
+  /// Past the start-up, and all that events may look at is known.
+  int full_count() const { return slots + 1; }
+
+  PlanarSettings settings;
+  int slots;         // tangential velocities that a contact keeps
+  double now = 0.0;  // number of the step that is evaluated
+  bool lists_exist = false;
+
+  AlignedVector<PlanarFrame> frames;
+  AlignedVector<PlanarVector> loads, weights;  // weight: force and torque without contacts
+  AlignedVector<PlanarVector> inverse_inertia;
+  AlignedVector<PlanarVector> past_velocity[max_multistep_order - 1];  // k + 1 steps back
+  AlignedVector<PlanarVector> past_acceleration[max_multistep_order - 1];
+  std::vector<std::int8_t> evaluations;
+  AlignedVector<PlanarVector> missed_displacement, missed_velocity;
+  std::vector<int> missed;  // bodies with missed motion
+  std::vector<PlanarBodyInfo> info;
+  std::vector<PlanarSphere> spheres;
+
+  PlanarBlockPool pairs, at_walls;
+  PlanarGrid grid;
+  std::vector<int> to_list, near;
+  struct Saved {  // contacts of a body while it is listed anew
+    int i, j;
+    std::uint16_t sphere_i, sphere_j;
+    bool sliding, mature, fresh;
+    std::int8_t count;
+    double spring, velocity[max_multistep_order], uncut, touch_rate, since;
+  };
+  std::vector<Saved> saved;
+
+  PlanarEvents events;
+  bool follows;  // events
+  PlanarScene::Statistics statistics = {};
+};
+
+/// Moves a contact between a lane and a record of its own.
+void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved);
+void restore_lane(PlanarBlockPool& pool, int place, int lane,
+                  const PlanarScene::Data::Saved& saved);
+void clear_lane(PlanarBlockPool& pool, int place, int lane);
+
+}  // namespace rodpack
+
+#endif

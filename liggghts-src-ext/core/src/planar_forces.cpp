@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Forces of one step: the general path, one contact at a time by the formulas that the sphere-level
+// styles call.
+#include <algorithm>
+#include <cmath>
+
+#include "rodpack/planar_scene_data.h"
+#include "rodpack/normal_history.h"
+
+namespace rodpack {
+
+/// Sets the contact of a lane; false if its spheres do not overlap.
+bool PlanarScene::Data::place_lane(const PlanarBlock& block, int lane,
+                                   PlanarContact& contact) const {
+  contact.body_i = block.i;
+  contact.body_j = block.j;
+  contact.offset_i[0] = block.xi[lane];
+  contact.offset_i[1] = block.yi[lane];
+  contact.offset_j[0] = block.xj[lane];
+  contact.offset_j[1] = block.yj[lane];
+  contact.radi = block.radius_i;
+  contact.radj = block.radius_j;
+  contact.kn = block.kn;
+  contact.kt = block.kt;
+  contact.gamman = block.gamma_n;
+  contact.gammat = block.gamma_t;
+  if (block.j < 0) {
+    const PlanarWall& wall = settings.walls[-1 - block.j];
+    place_wall(contact, frames[block.i], wall.axis, wall.position);
+    return contact.deltan >= 0.0;
+  }
+  place_pair(contact, frames[block.i], frames[block.j]);
+  return contact.rsq < contact.radsum * contact.radsum;
+}
+
+void PlanarScene::Data::apply(const PlanarContact& contact, double normal,
+                              const double (&tangential)[3]) {
+  double force[2], lever[2];
+  for (int d = 0; d < 2; ++d) {
+    force[d] = normal * contact.en[d] + tangential[d];
+    lever[d] = contact.arm_i[d] - contact.cri * contact.en[d];
+  }
+  double* load = loads[contact.body_i].d;
+  load[0] += force[0];
+  load[1] += force[1];
+  load[2] += lever[0] * force[1] - lever[1] * force[0];
+  if (contact.is_wall) return;
+  load = loads[contact.body_j].d;
+  for (int d = 0; d < 2; ++d) lever[d] = contact.arm_j[d] + contact.crj * contact.en[d];
+  load[0] -= force[0];
+  load[1] -= force[1];
+  load[2] -= lever[0] * force[1] - lever[1] * force[0];
+}
+
+void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
+  PlanarBlock& block = pool.blocks[place];
+  const int bit = 1 << lane;
+  const bool alive = (block.alive & bit) != 0;
+  PlanarContact contact;
+  const bool touches = place_lane(block, lane, contact);
+  if (!touches && !alive) return;
+
+  Saved lane_state;
+  save_lane(pool, place, lane, lane_state);
+  // The history in space, already turned into the present plane of contact.
+  double values[3 * (max_multistep_order + 1) + 3] = {};
+  const TangentialHistory history{values, slots};
+  const auto along = [&](double component, double* vector) {
+    vector[0] = -component * contact.en[1];
+    vector[1] = component * contact.en[0];
+    vector[2] = 0.0;
+  };
+  along(lane_state.spring, history.spring());
+  for (int k = 0; k < slots; ++k) along(lane_state.velocity[k], history.velocity(k));
+  history.count() = !alive ? 0.0 : lane_state.sliding ? -lane_state.count : lane_state.count;
+  history.step() = now - 1.0;
+  history.since() = lane_state.since;
+  NormalHistory normal_history = {lane_state.uncut, lane_state.touch_rate,
+                                  lane_state.fresh ? 1.0 : 0.0, now};
+  PlanarEvents* const followed = follows ? &events : nullptr;
+
+  if (!touches) {
+    const bool close = contact.is_wall
+                           ? -contact.deltan < (settings.close_factor - 1.0) * contact.radi
+                           : contact.r < settings.close_factor * contact.radsum;
+    if (followed && close) {
+      end_normal_force(contact, normal_history, settings.dt, *followed);
+      end_tangential_force(contact, history, tangential_step(), *followed);
+    }
+    clear_lane(pool, place, lane);
+    return;
+  }
+
+  ++statistics.general;
+  const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
+  follow_normal_force(contact, normal_history, normal.elastic - contact.gamman * contact.vn, alive,
+                      settings.dt, followed);
+  const TangentialForce tangential =
+      tangential_contact_force(contact, history, block.friction, true, tangential_step(),
+                               static_cast<const PlanarEvents*>(followed), followed);
+  apply(contact, normal.total, tangential.force);
+
+  lane_state.spring = contact.along_tangent(history.spring());
+  for (int k = 0; k < slots; ++k)
+    lane_state.velocity[k] = contact.along_tangent(history.velocity(k));
+  lane_state.count = static_cast<std::int8_t>(std::fabs(history.count()));
+  lane_state.sliding = history.count() < 0.0;
+  lane_state.mature = lane_state.count == full_count();
+  lane_state.since = history.since();
+  lane_state.uncut = normal_history.uncut;
+  lane_state.touch_rate = normal_history.touch_rate;
+  lane_state.fresh = normal_history.fresh != 0.0;
+  restore_lane(pool, place, lane, lane_state);
+}
+
+void PlanarScene::Data::evaluate_walls() {
+  for (int place = 0; place < at_walls.size(); ++place)
+    for (int lane = 0; lane < at_walls.blocks[place].used; ++lane)
+      evaluate_lane(at_walls, place, lane);
+}
+
+}  // namespace rodpack

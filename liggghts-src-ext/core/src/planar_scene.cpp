@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/planar_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "rodpack/planar_scene_data.h"
+
+namespace rodpack {
+
+namespace {
+
+void require(bool holds, const std::string& name, double value, const char* expected) {
+  if (!holds)
+    throw std::invalid_argument("planar scene: " + name + " is " + std::to_string(value) +
+                                ", expected " + expected);
+}
+
+void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
+  require(s.order >= 1 && s.order <= max_multistep_order, "order", s.order, "1, 2, 3 or 4");
+  require(s.dt > 0.0, "time step", s.dt, "a step > 0 (s)");
+  require(s.types >= 1 && s.laws.size() == static_cast<std::size_t>(s.types) * s.types,
+          "number of laws", static_cast<double>(s.laws.size()), "one for every pair of types");
+  require(s.min_skin > 0.0 && s.max_skin >= s.min_skin, "min_skin", s.min_skin,
+          "0 < min_skin <= max_skin (m)");
+  for (const PlanarLaw& law : s.laws) {
+    require(law.kn > 0.0, "kn", law.kn, "a stiffness > 0 (N/m)");
+    require(law.kt > 0.0, "kt", law.kt, "a stiffness > 0 (N/m)");
+    require(law.eta_n >= 0.0 && law.eta_n < 1.0, "eta_n", law.eta_n, "0 <= ratio < 1");
+    require(law.eta_t >= 0.0 && law.eta_t < 1.0, "eta_t", law.eta_t, "0 <= ratio < 1");
+    require(law.friction >= 0.0, "friction", law.friction, "a coefficient >= 0");
+  }
+  for (const PlanarWall& wall : s.walls) {
+    require(wall.axis == 0 || wall.axis == 1, "axis of a wall", wall.axis, "0 or 1");
+    require(wall.type >= 0 && wall.type < s.types, "type of a wall", wall.type, "0 .. types-1");
+  }
+  for (const PlanarBody& body : bodies) {
+    require(body.type >= 0 && body.type < s.types, "type of a body", body.type, "0 .. types-1");
+    require(body.mass > 0.0, "mass", body.mass, "a mass > 0 (kg)");
+    require(body.moment > 0.0, "moment of inertia", body.moment, "a moment > 0 (kg m^2)");
+    require(body.radius > 0.0, "radius", body.radius, "a radius > 0 (m)");
+    require(!body.spheres.empty() && body.spheres.size() <= 65535, "number of spheres",
+            static_cast<double>(body.spheres.size()), "1 .. 65535");
+    require(body.evaluations >= 0, "evaluations", body.evaluations, "0 or more");
+  }
+}
+
+}  // namespace
+
+PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBody>& bodies)
+    : settings(given),
+      slots(given.order),
+      pairs(static_cast<int>(bodies.size())),
+      at_walls(static_cast<int>(bodies.size())),
+      events(static_cast<int>(bodies.size())),
+      follows(given.events && given.order > 1) {
+  const std::size_t count = bodies.size();
+  frames.resize(count);
+  for (auto* vectors : {&loads, &weights, &inverse_inertia, &missed_displacement, &missed_velocity})
+    vectors->assign(count, PlanarVector());
+  for (int k = 0; k < settings.order - 1; ++k) {
+    past_velocity[k].assign(count, PlanarVector());
+    past_acceleration[k].assign(count, PlanarVector());
+  }
+  info.resize(count);
+  evaluations.resize(count);
+  for (std::size_t b = 0; b < count; ++b) {
+    const PlanarBody& body = bodies[b];
+    PlanarBodyInfo& of = info[b];
+    of = PlanarBodyInfo();
+    of.type = body.type;
+    of.mass = body.mass;
+    of.moment = body.moment;
+    of.radius = body.radius;
+    of.first = static_cast<int>(spheres.size());
+    of.count = static_cast<int>(body.spheres.size());
+    for (const PlanarSphere& sphere : body.spheres)
+      of.reach = std::max(of.reach, std::hypot(sphere.x, sphere.y) + body.radius);
+    spheres.insert(spheres.end(), body.spheres.begin(), body.spheres.end());
+    frames[b] = {body.position[0],
+                 body.position[1],
+                 body.cosine,
+                 body.sine,
+                 {body.velocity[0], body.velocity[1], body.velocity[2], 0.0}};
+    evaluations[b] = static_cast<std::int8_t>(std::min(body.evaluations, settings.order + 1));
+    for (int d = 0; d < 3; ++d) {
+      loads[b].d[d] = body.load[d];
+      inverse_inertia[b].d[d] = 1.0 / (d < 2 ? body.mass : body.moment);
+      missed_displacement[b].d[d] = body.missed_displacement[d];
+      missed_velocity[b].d[d] = body.missed_velocity[d];
+    }
+    for (int d = 0; d < 2; ++d) weights[b].d[d] = body.mass * settings.gravity[d];
+    missed.push_back(static_cast<int>(b));
+    for (int k = 0; k < settings.order - 1; ++k) {
+      const PlanarRates& past = body.past[k];
+      past_velocity[k][b] = {{past.velocity[0], past.velocity[1], past.angular_velocity, 0.0}};
+      past_acceleration[k][b] = {
+          {past.acceleration[0], past.acceleration[1], past.angular_acceleration, 0.0}};
+    }
+    if (body.jumped) events.set_jumped(static_cast<int>(b), body.change);
+  }
+}
+
+void PlanarScene::Data::make_missed_motion(int body) {
+  PlanarFrame& frame = frames[body];
+  PlanarVector &displacement = missed_displacement[body], &velocity = missed_velocity[body];
+  frame.x += displacement.d[0];
+  frame.y += displacement.d[1];
+  const double c = std::cos(displacement.d[2]), s = std::sin(displacement.d[2]);
+  const double cosine = frame.cosine * c - frame.sine * s;
+  frame.sine = frame.sine * c + frame.cosine * s;
+  frame.cosine = cosine;
+  for (int d = 0; d < 3; ++d) frame.velocity[d] += velocity.d[d];
+  displacement = velocity = PlanarVector();
+}
+
+void PlanarScene::Data::fill_past(int body) {
+  for (int k = 0; k < settings.order - 1; ++k) {
+    past_acceleration[k][body] = PlanarVector();
+    for (int d = 0; d < 3; ++d)
+      past_velocity[k][body].d[d] = frames[body].velocity[d] - (k + 1) * settings.dt *
+                                                                   inverse_inertia[body].d[d] *
+                                                                   loads[body].d[d];
+  }
+}
+
+void PlanarScene::Data::integrate() {
+  for (int body : missed) make_missed_motion(body);
+  missed.clear();
+  advance_all();
+  // The rates that were the oldest have been overwritten by those of this step.
+  if (settings.order > 1) {
+    std::rotate(past_velocity, past_velocity + settings.order - 2,
+                past_velocity + settings.order - 1);
+    std::rotate(past_acceleration, past_acceleration + settings.order - 2,
+                past_acceleration + settings.order - 1);
+  }
+}
+
+/// rigid_motion.h's planar step for all bodies, one register each; the rotation by the increment of
+/// the angle is made on cosine and sine.
+void PlanarScene::Data::advance_all() {
+  const int order = settings.order, count = static_cast<int>(info.size());
+  const double dt = settings.dt;
+  const MultistepWeights& of_velocity = adams_bashforth_weights(order);
+  const PlanarVector *past_v[max_multistep_order] = {}, *past_a[max_multistep_order] = {};
+  for (int k = 0; k < order - 1; ++k) {
+    past_v[k] = past_velocity[k].data();
+    past_a[k] = past_acceleration[k].data();
+  }
+  for (int b = 0; b < count; ++b) {
+    if (evaluations[b] == 0) fill_past(b);
+    if (evaluations[b] <= order) ++evaluations[b];
+    const MultistepWeights& of_force = multistep_weights(order, evaluations[b]);
+    PlanarFrame& frame = frames[b];
+    PlanarVector v, a, dx, dv;
+    for (int d = 0; d < 4; ++d) {
+      v.d[d] = frame.velocity[d];
+      a.d[d] = loads[b].d[d] * inverse_inertia[b].d[d];
+      dx.d[d] = of_velocity[0] * v.d[d];
+      dv.d[d] = of_force[0] * a.d[d];
+    }
+    for (int k = 0; k < order - 1; ++k)
+      for (int d = 0; d < 4; ++d) {
+        dx.d[d] += of_velocity[k + 1] * past_v[k][b].d[d];
+        dv.d[d] += of_force[k + 1] * past_a[k][b].d[d];
+      }
+    for (int d = 0; d < 4; ++d) {
+      dx.d[d] *= dt;
+      frame.velocity[d] += dt * dv.d[d];
+    }
+    if (order > 1) {
+      past_velocity[order - 2][b] = v;
+      past_acceleration[order - 2][b] = a;
+    }
+    frame.x += dx.d[0];
+    frame.y += dx.d[1];
+    const double angle = dx.d[2], square = angle * angle;
+    double c, s;
+    if (square < 1e-3) {  // the first terms left out are below 1e-19
+      c = 1.0 -
+          square / 2 *
+              (1.0 - square / 12 * (1.0 - square / 30 * (1.0 - square / 56 * (1.0 - square / 90))));
+      s = angle *
+          (1.0 - square / 6 *
+                     (1.0 - square / 20 *
+                                (1.0 - square / 42 * (1.0 - square / 72 * (1.0 - square / 110)))));
+    } else {
+      c = std::cos(angle);
+      s = std::sin(angle);
+    }
+    const double cosine = frame.cosine * c - frame.sine * s;
+    const double sine = frame.sine * c + frame.cosine * s;
+    // One Newton step for 1/sqrt: the square of the norm is 1 to a few rounding errors.
+    const double scale = 1.5 - 0.5 * (cosine * cosine + sine * sine);
+    frame.cosine = cosine * scale;
+    frame.sine = sine * scale;
+
+    const PlanarBodyInfo& at = info[b];
+    const double rx = frame.x - at.x, ry = frame.y - at.y;
+    const double tc = frame.cosine - at.cosine, ts = frame.sine - at.sine;
+    // |a| + |b| <= sqrt(2 (a^2 + b^2))
+    const double moved = 2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts));
+    if (moved > at.skin * at.skin) to_list.push_back(b);
+  }
+}
+
+void PlanarScene::Data::begin_forces() { std::copy(weights.begin(), weights.end(), loads.begin()); }
+
+/// What the forces' changes of branch have missed, and the records of the past that continue the
+/// new branches backwards: as in FixMultisphereAB.
+void PlanarScene::Data::apply_events() {
+  events.forget_jumps();
+  for (const PlanarEvents::Changes& sum : events.changes()) {
+    const int b = sum.body;
+    PlanarMotionChange motion = {};
+    const auto value = [&](const double(ForceChange::*part)[3], int d) {
+      return d < 2 ? (sum.force.*part)[d] : (sum.torque.*part)[2];
+    };
+    for (int d = 0; d < 3; ++d) {
+      const double inverse = inverse_inertia[b].d[d];
+      motion.acceleration[d] = inverse * value(&ForceChange::now, d);
+      motion.velocity[d] = missed_velocity[b].d[d] = inverse * value(&ForceChange::impulse, d);
+      motion.displacement[d] = missed_displacement[b].d[d] =
+          inverse * value(&ForceChange::sweep, d);
+    }
+    motion.cosine = frames[b].cosine;
+    motion.sine = frames[b].sine;
+    missed.push_back(b);
+    if (sum.jumps) events.set_jumped(b, motion);
+    if (evaluations[b] == 0) continue;  // no past yet
+    for (int k = 1; k < settings.order; ++k) {
+      const double age = k * settings.dt;
+      for (int d = 0; d < 3; ++d) {
+        const ForceChange& change = d < 2 ? sum.force : sum.torque;
+        const double inverse = inverse_inertia[b].d[d];
+        past_velocity[k - 1][b].d[d] += inverse * change.past_momentum(d, age);
+        past_acceleration[k - 1][b].d[d] += inverse * change.past_force(d, age);
+      }
+    }
+  }
+  events.forget_changes();
+}
+
+PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies) {
+  validate(settings, bodies);
+  data_.reset(new Data(settings, bodies));
+}
+
+PlanarScene::~PlanarScene() = default;
+
+void PlanarScene::evaluate() {
+  Data& d = *data_;
+  if (!d.lists_exist) d.list_all();
+  d.begin_forces();
+  d.evaluate_pairs();
+  d.evaluate_walls();
+  d.events.forget_changes();  // no step has gone by that could have missed something
+}
+
+void PlanarScene::run(long steps) {
+  Data& d = *data_;
+  if (!d.lists_exist) d.list_all();
+  for (long step = 0; step < steps; ++step) {
+    d.now += 1.0;
+    d.integrate();
+    if (!d.to_list.empty()) d.renew_lists();
+    if (d.statistics.steps % 256 == 128) d.sort_blocks();
+    d.begin_forces();
+    d.evaluate_pairs();
+    d.evaluate_walls();
+    if (d.follows) d.apply_events();
+    ++d.statistics.steps;
+  }
+}
+
+void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) {
+  Data& d = *data_;
+  if (!d.lists_exist) d.list_all();
+  for (const PlanarContactState& contact : contacts) {
+    Data::Saved saved = Data::Saved();
+    bool swapped = contact.body_j > contact.body_i;
+    swapped = contact.body_j >= 0 && !swapped;
+    saved.i = swapped ? contact.body_j : contact.body_i;
+    saved.j = swapped ? contact.body_i : contact.body_j;
+    const int sphere_i = swapped ? contact.sphere_j : contact.sphere_i;
+    const int sphere_j = swapped ? contact.sphere_i : contact.sphere_j;
+    saved.sliding = contact.count < 0;
+    saved.count = static_cast<std::int8_t>(std::min(std::abs(contact.count), d.full_count()));
+    saved.mature = saved.count == d.full_count();
+    saved.fresh = contact.fresh;
+    // Along z x n the components stay as they are when i and j change places.
+    saved.spring = contact.spring;
+    std::copy(contact.velocity, contact.velocity + max_multistep_order, saved.velocity);
+    saved.uncut = contact.uncut;
+    saved.touch_rate = contact.touch_rate;
+    saved.since = contact.since;
+    PlanarBlockPool& pool = saved.j < 0 ? d.at_walls : d.pairs;
+    bool found = false;
+    for (int place : pool.of_body(saved.i)) {
+      const PlanarBlock& block = pool.blocks[place];
+      if (block.i != saved.i || block.j != saved.j) continue;
+      for (int lane = 0; lane < block.used; ++lane) {
+        if (block.sphere_i[lane] != sphere_i || block.sphere_j[lane] != sphere_j) continue;
+        restore_lane(pool, place, lane, saved);
+        found = true;
+      }
+    }
+    require(found, "contact of bodies", contact.body_i, "spheres that are close");
+  }
+  d.sort_blocks();
+}
+
+std::vector<PlanarContactState> PlanarScene::contacts() const {
+  std::vector<PlanarContactState> result;
+  for (const PlanarBlockPool* pool : {&data_->pairs, &data_->at_walls})
+    for (int place = 0; place < pool->size(); ++place)
+      for (int lane = 0; lane < planar_lanes; ++lane) {
+        if (!(pool->blocks[place].alive & 1 << lane)) continue;
+        Data::Saved saved;
+        save_lane(*pool, place, lane, saved);
+        PlanarContactState state;
+        state.body_i = saved.i;
+        state.sphere_i = saved.sphere_i;
+        state.body_j = saved.j;
+        state.sphere_j = saved.sphere_j;
+        state.spring = saved.spring;
+        std::copy(saved.velocity, saved.velocity + max_multistep_order, state.velocity);
+        state.count = saved.sliding ? -saved.count : saved.count;
+        state.since = saved.since;
+        state.uncut = saved.uncut;
+        state.touch_rate = saved.touch_rate;
+        state.fresh = saved.fresh;
+        result.push_back(state);
+      }
+  return result;
+}
+
+int PlanarScene::size() const { return static_cast<int>(data_->info.size()); }
+
+PlanarBody PlanarScene::body(int index) const {
+  const Data& d = *data_;
+  const PlanarBodyInfo& info = d.info[index];
+  const PlanarFrame& frame = d.frames[index];
+  PlanarBody body;
+  body.type = info.type;
+  body.mass = info.mass;
+  body.moment = info.moment;
+  body.radius = info.radius;
+  body.spheres.assign(d.spheres.begin() + info.first, d.spheres.begin() + info.first + info.count);
+  body.position[0] = frame.x;
+  body.position[1] = frame.y;
+  body.cosine = frame.cosine;
+  body.sine = frame.sine;
+  body.evaluations = d.evaluations[index];
+  for (int k = 0; k < 3; ++k) {
+    body.velocity[k] = frame.velocity[k];
+    body.load[k] = d.loads[index].d[k];
+    body.missed_displacement[k] = d.missed_displacement[index].d[k];
+    body.missed_velocity[k] = d.missed_velocity[index].d[k];
+  }
+  for (int k = 0; k < d.settings.order - 1; ++k) {
+    const double *v = d.past_velocity[k][index].d, *a = d.past_acceleration[k][index].d;
+    body.past[k] = {{v[0], v[1]}, v[2], {a[0], a[1]}, a[2]};
+  }
+  body.jumped = d.events.jumped(index);
+  if (body.jumped) body.change = d.events.motion(index);
+  return body;
+}
+
+PlanarScene::Statistics PlanarScene::statistics() const {
+  Statistics result = data_->statistics;
+  result.blocks = data_->pairs.size() + data_->at_walls.size();
+  return result;
+}
+
+}  // namespace rodpack

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "planar_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "contact_model_constants.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "fix_property_global.h"
+#include "fix_wall_gran.h"
+#include "force.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "pair_gran.h"
+#include "primitive_wall.h"
+#include "rodpack/normal_history.h"
+#include "rodpack/tangential_history.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+using rodpack::NormalHistory;
+using rodpack::PlanarContactState;
+using rodpack::TangentialHistory;
+
+namespace {
+
+constexpr int normal_values = sizeof(NormalHistory) / sizeof(double);
+
+struct WallAccess : FixWallGran {
+  static double** histories(FixWallGran* wall) {
+    return (wall->*(&WallAccess::fix_history_primitive_))->array_atom;
+  }
+  static void renew_list(FixWallGran* wall) { (wall->*(&WallAccess::pre_neighbor))(); }
+};
+
+template <class Style>
+bool has_known_models(Style* style) {
+  return style->contact_match("normal", "spring_dashpot") &&
+         style->contact_match("tangential", "spring_dashpot") &&
+         style->contact_match("surface", "default") && style->contact_match("cohesion", "off") &&
+         style->contact_match("rolling_friction", "off");
+}
+
+const char* const needed_models =
+    "'model spring_dashpot tangential spring_dashpot' alone, without other models";
+
+/// A plane x = c or y = c; false for any other primitive.
+bool plane_of(PrimitiveWall& wall, rodpack::PlanarWall& plane) {
+  double origin[3] = {0.0, 0.0, 0.0}, other[3] = {1.1, 2.3, 4.7}, from[3], to[3];
+  wall.resolveContact(origin, 0.0, from);
+  wall.resolveContact(other, 0.0, to);
+  for (int axis = 0; axis < 2; ++axis) {
+    double off = std::fabs(from[axis] - (other[axis] + to[axis]));
+    for (int d = 0; d < 3; ++d)
+      if (d != axis) off += std::fabs(from[d]) + std::fabs(to[d]);
+    if (off > 1e-12) continue;
+    plane.axis = axis;
+    plane.position = from[axis];
+    return true;
+  }
+  return false;
+}
+
+/// History of one contact, as the models of LIGGGHTS keep it, along the tangent z x n.
+struct Frame {
+  double tangent[2];
+  Frame(double nx, double ny) : tangent{-ny, nx} {}
+  double along(const double* vector) const {
+    return vector[0] * tangent[0] + vector[1] * tangent[1];
+  }
+  void set(double component, double* vector) const {
+    vector[0] = component * tangent[0];
+    vector[1] = component * tangent[1];
+    vector[2] = 0.0;
+  }
+};
+
+}  // namespace
+
+void PlanarContacts::refuse(const std::string& what) const {
+  error->all(FLERR, ("run_style planar: " + what).c_str());
+}
+
+void PlanarContacts::connect() {
+  pair_ = static_cast<PairGran*>(force->pair_match("gran", 1));
+  if (!pair_) refuse(std::string("pair_style gran is needed, with ") + needed_models);
+  if (!has_known_models(pair_))
+    refuse(std::string("pair_style gran has other models, expected ") + needed_models);
+  values_ = pair_->dnum();
+  slots_ = (values_ - normal_values - TangentialHistory::size(0)) / 3;
+  if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
+      values_ != normal_values + TangentialHistory::size(slots_))
+    refuse("pair_style gran keeps other values in the history of contacts");
+  walls_.clear();
+  for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
+    FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
+    const std::string name = std::string("fix wall/gran (id ") + wall->id + ") ";
+    if (!has_known_models(wall)) refuse(name + "has other models, expected " + needed_models);
+    rodpack::PlanarWall plane;
+    if (wall->is_mesh_wall() || !wall->primitiveWall() || !plane_of(*wall->primitiveWall(), plane))
+      refuse(name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
+    if (wall->is_moving()) refuse(name + "moves ('shear'), expected a wall at rest");
+    if (wall->igroup != 0) refuse(name + "acts on a group, expected all");
+    if (wall->heattransfer_flag() || wall->store_force_contact() ||
+        wall->store_force_contact_stress() || wall->store_sum_normal_force())
+      refuse(name + "stores values of contacts or transfers heat, which the engine does not");
+    if (wall->dnum() != values_)
+      refuse(name + "has another history than pair_style gran: give both the same multistepOrder");
+    walls_.push_back(wall);
+  }
+}
+
+std::vector<rodpack::PlanarLaw> PlanarContacts::laws() const {
+  const int types = atom->ntypes;
+  const char* const names[] = {"kn", "kt", "dampingRatioNormal", "dampingRatioTangential",
+                               "coefficientFriction"};
+  std::vector<rodpack::PlanarLaw> laws(types * types);
+  for (int k = 0; k < 5; ++k) {
+    FixPropertyGlobal* property = static_cast<FixPropertyGlobal*>(modify->find_fix_property(
+        names[k], "property/global", "peratomtypepair", types, types, "run_style planar"));
+    for (int pair = 0; pair < types * types; ++pair) {
+      rodpack::PlanarLaw& law = laws[pair];
+      double* const values[] = {&law.kn, &law.kt, &law.eta_n, &law.eta_t, &law.friction};
+      *values[k] = property->compute_array(pair / types, pair % types);
+    }
+  }
+  return laws;
+}
+
+std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
+  std::vector<rodpack::PlanarWall> planes;
+  for (FixWallGran* wall : walls_) {
+    rodpack::PlanarWall plane;
+    plane_of(*wall->primitiveWall(), plane);
+    plane.type = wall->atom_type_wall() - 1;
+    planes.push_back(plane);
+  }
+  return planes;
+}
+
+/// What LIGGGHTS keeps of a contact.
+struct PlanarContacts::Record {
+  NormalHistory& normal;
+  TangentialHistory tangential;
+  Record(double* values, int slots)
+      : normal(*reinterpret_cast<NormalHistory*>(values)),
+        tangential{values + normal_values, slots} {}
+
+  bool lives(double now) const { return tangential.count() != 0.0 && tangential.step() == now; }
+  void read(const Frame& frame, PlanarContactState& contact) const {
+    contact.spring = frame.along(tangential.spring());
+    for (int k = 0; k < rodpack::max_multistep_order; ++k)
+      contact.velocity[k] = k < tangential.slots ? frame.along(tangential.velocity(k)) : 0.0;
+    contact.count = static_cast<int>(tangential.count());
+    contact.since = tangential.since();
+    contact.uncut = normal.uncut;
+    contact.touch_rate = normal.touch_rate;
+    contact.fresh = normal.fresh != 0.0;
+  }
+  void write(const PlanarContactState& contact, const Frame& frame, double now) const {
+    frame.set(contact.spring, tangential.spring());
+    for (int k = 0; k < tangential.slots; ++k)
+      frame.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
+                tangential.velocity(k));
+    tangential.count() = contact.count;
+    tangential.step() = now;
+    tangential.since() = contact.since;
+    normal.uncut = contact.uncut;
+    normal.touch_rate = contact.touch_rate;
+    normal.fresh = contact.fresh ? 1.0 : 0.0;
+    normal.step = now + 1.0;
+  }
+};
+
+std::vector<PlanarContactState> PlanarContacts::read(const std::vector<PlanarPlace>& places) const {
+  const double now = static_cast<double>(update->ntimestep);
+  std::vector<PlanarContactState> contacts;
+  double** const x = atom->x;
+  NeighList* const list = pair_->list;
+  for (int ii = 0; ii < list->inum; ++ii) {
+    const int i = list->ilist[ii];
+    double* histories = list->listgranhistory->firstdouble[i];
+    for (int jj = 0; jj < list->numneigh[i]; ++jj) {
+      if (!list->listgranhistory->firstneigh[i][jj]) continue;
+      const Record record(histories + values_ * jj, slots_);
+      if (!record.lives(now)) continue;
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      PlanarContactState contact;
+      contact.body_i = places[i].body;
+      contact.sphere_i = places[i].sphere;
+      contact.body_j = places[j].body;
+      contact.sphere_j = places[j].sphere;
+      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
+      record.read(Frame(dx / r, dy / r), contact);
+      contacts.push_back(contact);
+    }
+  }
+  const std::vector<rodpack::PlanarWall> planes = walls();
+  for (size_t w = 0; w < walls_.size(); ++w)
+    for (int i = 0; i < atom->nlocal; ++i) {
+      const Record record(WallAccess::histories(walls_[w])[i], slots_);
+      if (!record.lives(now)) continue;
+      PlanarContactState contact;
+      contact.body_i = places[i].body;
+      contact.sphere_i = places[i].sphere;
+      contact.body_j = -1 - static_cast<int>(w);
+      contact.sphere_j = 0;
+      const int axis = planes[w].axis;
+      const double side = x[i][axis] > planes[w].position ? 1.0 : -1.0;
+      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact);
+      contacts.push_back(contact);
+    }
+  return contacts;
+}
+
+/// Place of a pair in the list of `owner`, one of the two; -1 if it is not there.
+int PlanarContacts::find_in_list(int i, int j, int& owner) const {
+  const NeighList* const list = pair_->list;
+  for (int turn = 0; turn < 2; ++turn) {
+    owner = turn == 0 ? i : j;
+    const int other = turn == 0 ? j : i;
+    const int* const neighbours = list->firstneigh[owner];
+    for (int jj = 0; jj < list->numneigh[owner]; ++jj)
+      if ((neighbours[jj] & NEIGHMASK) == other) return jj;
+  }
+  return -1;
+}
+
+void PlanarContacts::write(const std::vector<PlanarContactState>& contacts,
+                           const std::vector<std::vector<int> >& atoms) const {
+  using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
+  using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
+  const double now = static_cast<double>(update->ntimestep);
+  double** const x = atom->x;
+  NeighList* const list = pair_->list;
+  for (int ii = 0; ii < list->inum; ++ii) {
+    const int i = list->ilist[ii];
+    int* const flags = list->listgranhistory->firstneigh[i];
+    double* const histories = list->listgranhistory->firstdouble[i];
+    for (int jj = 0; jj < list->numneigh[i]; ++jj) {
+      if (!flags[jj]) continue;
+      flags[jj] = 0;
+      std::fill_n(histories + values_ * jj, values_, 0.0);
+    }
+  }
+  for (FixWallGran* wall : walls_)
+    for (int i = 0; i < atom->nlocal; ++i)
+      std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
+
+  const std::vector<rodpack::PlanarWall> planes = walls();
+  for (const PlanarContactState& contact : contacts) {
+    const int i = atoms[contact.body_i][contact.sphere_i];
+    if (contact.body_j < 0) {
+      const int w = -1 - contact.body_j, axis = planes[w].axis;
+      const double side = x[i][axis] > planes[w].position ? 1.0 : -1.0;
+      Record(WallAccess::histories(walls_[w])[i], slots_)
+          .write(contact, Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), now);
+      continue;
+    }
+    const int j = atoms[contact.body_j][contact.sphere_j];
+    int owner = i;
+    const int jj = find_in_list(i, j, owner);
+    if (jj < 0) error->one(FLERR, "run_style planar: a contact is not in the neighbour list");
+    const int other = owner == i ? j : i;
+    const double dx = x[owner][0] - x[other][0], dy = x[owner][1] - x[other][1];
+    const double r = std::hypot(dx, dy);
+    list->listgranhistory->firstneigh[owner][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
+    Record(list->listgranhistory->firstdouble[owner] + values_ * jj, slots_)
+        .write(contact, Frame(dx / r, dy / r), now);
+  }
+}
+
+void PlanarContacts::renew_wall_lists() const {
+  for (FixWallGran* wall : walls_) WallAccess::renew_list(wall);
+}
+
+}  // namespace LAMMPS_NS
