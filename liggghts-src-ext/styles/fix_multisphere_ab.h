@@ -81,7 +81,7 @@ class FixMultisphereAB : public FixMultisphere {
   void move_planar(int body);
   void move_spatial(int body);
   rodpack::PlanarRates* planar_record(int body, int age);
-  void read_jump(int body, const std::vector<int>& atoms, rodpack::PlanarBody& planar);
+  void read_jump(const std::vector<int>& atoms, rodpack::PlanarBody& planar);
   void publish_jump(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
 
   // events of contacts

@@ -46,7 +46,7 @@ PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) 
   planar.missed_velocity[2] = missed[11] / planar.moment;
   planar.evaluations = evaluations_->get(body);
   for (int k = 1; k < order_; ++k) planar.past[k - 1] = *planar_record(body, k);
-  if (events_) read_jump(body, atoms, planar);
+  if (events_) read_jump(atoms, planar);
   return planar;
 }
 
@@ -58,7 +58,7 @@ rodpack::PlanarRates* FixMultisphereAB::planar_record(int body, int age) {
 }
 
 /// What contacts will be told about the body in the next step, if its acceleration has jumped.
-void FixMultisphereAB::read_jump(int body, const std::vector<int>& atoms, PlanarBody& planar) {
+void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& planar) {
   const ContactEvents::AtomMotion* motion = events_->motion_for_next_step(atoms[0]);
   planar.jumped = motion != NULL;
   if (!motion) return;

@@ -50,7 +50,8 @@ const char* const needed_models =
 
 /// A plane x = c or y = c; false for any other primitive.
 bool plane_of(PrimitiveWall& wall, rodpack::PlanarWall& plane) {
-  double origin[3] = {0.0, 0.0, 0.0}, other[3] = {1.1, 2.3, 4.7}, from[3], to[3];
+  double origin[3] = {0.0, 0.0, 0.0}, other[3] = {1.1, 2.3, 4.7};
+  double from[3] = {}, to[3] = {};
   wall.resolveContact(origin, 0.0, from);
   wall.resolveContact(other, 0.0, to);
   for (int axis = 0; axis < 2; ++axis) {

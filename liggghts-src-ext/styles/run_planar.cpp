@@ -14,6 +14,7 @@
 #include "fix.h"
 #include "fix_gravity.h"
 #include "fix_multisphere_ab.h"
+#include "multisphere.h"
 #include "force.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -70,8 +71,17 @@ void RunPlanar::refuse(const std::string& what) const {
   error->all(FLERR, ("run_style planar: " + what).c_str());
 }
 
-void RunPlanar::init() {
-  Verlet::init();
+void RunPlanar::setup() {
+  check();
+  Verlet::setup();
+}
+
+void RunPlanar::setup_minimal(int flag) {
+  check();
+  Verlet::setup_minimal(flag);
+}
+
+void RunPlanar::check() {
   check_scene();
   check_fixes();
   contacts_.connect();
@@ -153,7 +163,7 @@ void RunPlanar::sort_atoms_by_body() {
   atoms_.assign(bodies_->n_body(), std::vector<int>());
   places_.resize(atom->nlocal);
   for (int i = 0; i < atom->nlocal; ++i) {
-    const int tag = bodies_->belongs_to(i), body = tag < 0 ? -1 : bodies_->map(tag);
+    const int tag = bodies_->belongs_to(i), body = tag < 0 ? -1 : bodies_->data().map(tag);
     if (body < 0)
       refuse("atom " + std::to_string(atom->tag[i]) + " belongs to no body of fix multisphere/ab");
     places_[i].body = body;

@@ -30,11 +30,13 @@ class RunPlanar : public Verlet {
   RunPlanar(class LAMMPS* lmp, int narg, char** arg);
   ~RunPlanar();
 
-  void init() override;
+  void setup() override;
+  void setup_minimal(int) override;
   void run(int steps) override;
 
  private:
   void refuse(const std::string& what) const;
+  void check();
   void check_scene();
   void check_fixes() const;
   void sort_atoms_by_body();
