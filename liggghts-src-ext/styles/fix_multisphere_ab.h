@@ -47,7 +47,7 @@ class FixMultisphereAB : public FixMultisphere {
   /// null unless events are followed.
   void* extract(const char*, int&) override;
 
-  // for run_style planar (fix_multisphere_ab_planar.cpp)
+  // for run_style verlet/planar (fix_multisphere_ab_planar.cpp)
   int order() const { return order_; }
   bool planar() const { return planar_; }
   bool follows_events() const { return events_ != NULL; }

@@ -16,7 +16,7 @@ using rodpack::PlanarBody;
 PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) {
   if (evaluations_->get(body) == 0) require_planar(body);
   if (!fflag_(body)[0] || !fflag_(body)[1] || !tflag_(body)[2])
-    body_error(body, "run_style planar cannot switch off components of its force or torque");
+    body_error(body, "run_style verlet/planar cannot switch off components of its force or torque");
   PlanarBody planar;
   planar.mass = mass_(body);
   planar.moment = moment_about_z(body);
@@ -25,11 +25,11 @@ PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) 
     double arm[3];
     MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
     if (std::fabs(arm[2]) > 1e-9 * planar.radius)
-      body_error(body, "run_style planar needs its spheres in one plane z = const");
+      body_error(body, "run_style verlet/planar needs its spheres in one plane z = const");
     if (atom->radius[i] != planar.radius)
-      body_error(body, "run_style planar needs spheres of one radius in a body");
+      body_error(body, "run_style verlet/planar needs spheres of one radius in a body");
     if (atom->type[i] != atom->type[atoms[0]])
-      body_error(body, "run_style planar needs spheres of one type in a body");
+      body_error(body, "run_style verlet/planar needs spheres of one type in a body");
     planar.spheres.push_back({arm[0], arm[1]});
   }
   const double *x = xcm_(body), *v = vcm_(body), *missed = (*missed_motion_)(body);

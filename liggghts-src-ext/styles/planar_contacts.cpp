@@ -83,7 +83,7 @@ struct Frame {
 }  // namespace
 
 void PlanarContacts::refuse(const std::string& what) const {
-  error->all(FLERR, ("run_style planar: " + what).c_str());
+  error->all(FLERR, ("run_style verlet/planar: " + what).c_str());
 }
 
 void PlanarContacts::connect() {
@@ -122,7 +122,7 @@ std::vector<rodpack::PlanarLaw> PlanarContacts::laws() const {
   std::vector<rodpack::PlanarLaw> laws(types * types);
   for (int k = 0; k < 5; ++k) {
     FixPropertyGlobal* property = static_cast<FixPropertyGlobal*>(modify->find_fix_property(
-        names[k], "property/global", "peratomtypepair", types, types, "run_style planar"));
+        names[k], "property/global", "peratomtypepair", types, types, "run_style verlet/planar"));
     for (int pair = 0; pair < types * types; ++pair) {
       rodpack::PlanarLaw& law = laws[pair];
       double* const values[] = {&law.kn, &law.kt, &law.eta_n, &law.eta_t, &law.friction};
@@ -265,7 +265,7 @@ void PlanarContacts::write(const std::vector<PlanarContactState>& contacts,
     const int j = atoms[contact.body_j][contact.sphere_j];
     int owner = i;
     const int jj = find_in_list(i, j, owner);
-    if (jj < 0) error->one(FLERR, "run_style planar: a contact is not in the neighbour list");
+    if (jj < 0) error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
     const int other = owner == i ? j : i;
     const double dx = x[owner][0] - x[other][0], dy = x[owner][1] - x[other][1];
     const double r = std::hypot(dx, dy);

@@ -24,6 +24,8 @@ class PlanarContacts : protected Pointers {
   /// Finds the pair style and the walls; stops if one of them is of another kind than the engine
   /// knows.
   void connect();
+  /// Tangential velocities in the history of a contact.
+  int remembered() const { return slots_; }
   /// Contact constants per pair of types, and the walls.
   std::vector<rodpack::PlanarLaw> laws() const;
   std::vector<rodpack::PlanarWall> walls() const;

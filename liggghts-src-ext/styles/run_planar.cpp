@@ -68,7 +68,7 @@ RunPlanar::RunPlanar(LAMMPS* lmp, int narg, char** arg)
 RunPlanar::~RunPlanar() = default;
 
 void RunPlanar::refuse(const std::string& what) const {
-  error->all(FLERR, ("run_style planar: " + what).c_str());
+  error->all(FLERR, ("run_style verlet/planar: " + what).c_str());
 }
 
 void RunPlanar::setup() {
@@ -177,6 +177,7 @@ void RunPlanar::take_over() {
   rodpack::PlanarSettings settings;
   settings.dt = update->dt;
   settings.order = bodies_->order();
+  settings.remembered = contacts_.remembered();
   settings.events = bodies_->follows_events();
   settings.types = atom->ntypes;
   settings.laws = contacts_.laws();
@@ -205,7 +206,7 @@ void RunPlanar::take_over() {
     scene_.reset(new rodpack::PlanarScene(settings, bodies));
     scene_->set_contacts(contacts_.read(places_));
   } catch (const std::invalid_argument& reason) {
-    error->one(FLERR, (std::string("run_style planar: ") + reason.what()).c_str());
+    error->one(FLERR, (std::string("run_style verlet/planar: ") + reason.what()).c_str());
   }
 }
 
@@ -215,10 +216,12 @@ void RunPlanar::give_back() {
   bodies_->finish_planar();
   // The next step moves the spheres again, and then decides itself; but contacts of now have to
   // find their pairs in the list.
+  const bigint dangerous = neighbor->ndanger;  // the list was not in use meanwhile
   if (!neighbor->dist_check || neighbor->check_distance()) {
     contacts_.renew_wall_lists();
     neighbor->build();
   }
+  neighbor->ndanger = dangerous;
   contacts_.write(scene_->contacts(), atoms_);
   scene_.reset();
 }

@@ -2,7 +2,7 @@
 #ifdef INTEGRATE_CLASS
 
 // clang-format off
-IntegrateStyle(planar,RunPlanar)
+IntegrateStyle(verlet/planar,RunPlanar)
 // clang-format on
 
 #else

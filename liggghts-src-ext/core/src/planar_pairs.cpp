@@ -13,7 +13,7 @@ namespace {
 struct PairStep {
   const PlanarFrame* frames;
   PlanarVector* loads;
-  int slots;
+  int slots, order;
   double spring_weights[max_multistep_order];  // times dt
   bool follows;
 };
@@ -58,7 +58,7 @@ inline int evaluate_lasting(PlanarBlock& block, PlanarBlockHistory& history, con
   const Lanes uncut = block.kn * overlap - block.gamma_n * vn;
   const Lanes spring_before = load_lanes(history.spring);
   Lanes spring = spring_before;
-  for (int k = 0; k < step.slots; ++k)
+  for (int k = 0; k < step.order; ++k)
     spring += step.spring_weights[k] * load_lanes(history.velocity[k]);
   const Lanes trial = -(block.kt * spring + block.gamma_t * vt);
   const Lanes cap = block.friction * overlap;
@@ -113,9 +113,10 @@ void PlanarScene::Data::evaluate_pairs() {
   step.frames = frames.data();
   step.loads = loads.data();
   step.slots = slots;
+  step.order = settings.order;
   step.follows = follows;
   const MultistepWeights& weights = adams_bashforth_weights(settings.order);
-  for (int k = 0; k < slots; ++k) step.spring_weights[k] = settings.dt * weights[k];
+  for (int k = 0; k < settings.order; ++k) step.spring_weights[k] = settings.dt * weights[k];
 
   for (int place = 0; place < pairs.size(); ++place) {
     PlanarBlock& block = pairs.blocks[place];

@@ -20,6 +20,8 @@ void require(bool holds, const std::string& name, double value, const char* expe
 
 void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
   require(s.order >= 1 && s.order <= max_multistep_order, "order", s.order, "1, 2, 3 or 4");
+  require(s.remembered >= 1 && s.remembered <= max_multistep_order, "remembered", s.remembered,
+          "1, 2, 3 or 4");
   require(s.dt > 0.0, "time step", s.dt, "a step > 0 (s)");
   require(s.types >= 1 && s.laws.size() == static_cast<std::size_t>(s.types) * s.types,
           "number of laws", static_cast<double>(s.laws.size()), "one for every pair of types");
@@ -51,7 +53,7 @@ void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
 
 PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBody>& bodies)
     : settings(given),
-      slots(given.order),
+      slots(std::max(given.order, given.remembered)),
       pairs(static_cast<int>(bodies.size())),
       at_walls(static_cast<int>(bodies.size())),
       events(static_cast<int>(bodies.size())),

@@ -30,6 +30,9 @@ struct PlanarWall {
 struct PlanarSettings {
   double dt;
   int order = 3;       // 1..4
+  /// Tangential velocities that a contact remembers, order .. 4: multistepOrder of the styles, whose
+  /// friction looks back up to three steps where there are so many.
+  int remembered = 3;
   bool events = true;  // follow the events of contacts (force_change.h); ignored at order 1
   double gravity[2] = {0.0, 0.0};
   int types = 1;

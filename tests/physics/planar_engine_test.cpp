@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// run_style verlet/planar against the sphere-level path: the same deck, one line apart.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "liggghts_run.h"
+#include "table.h"
+
+using namespace rodpack::test;
+using testing::HasSubstr;
+
+namespace {
+
+using Vars = std::map<std::string, std::string>;
+
+// Rods that fall into a narrow box, line by line. `extra`: a line before the run.
+const std::string deck = R"(
+variable style     index verlet
+variable events    index yes
+variable order     index 3
+variable rods      index 3
+variable steps     index 1000
+variable every     index 1000
+variable curvature index 0
+variable ar        index 5
+variable width     index 0.06
+variable height    index 0.03
+variable extra     index "variable none equal 0"
+variable end       index "variable none equal 0"
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+units si
+newton off
+communicate single vel yes
+processors * 1 1
+region box block 0 ${width} 0 0.2 -0.012 0.012 units box
+create_box 1 box
+neighbor 3e-4 bin
+neigh_modify delay 0
+timestep 1.1e-5
+fix kn all property/global kn peratomtypepair 1 1000
+fix kt all property/global kt peratomtypepair 1 500
+fix dn all property/global dampingRatioNormal peratomtypepair 1 0.2
+fix dt all property/global dampingRatioTangential peratomtypepair 1 0.2
+fix mu all property/global coefficientFriction peratomtypepair 1 0.3
+pair_style gran model spring_dashpot tangential spring_dashpot multistepOrder 4
+pair_coeff * *
+fix gravity all gravity 9.81 vector 0 -1 0
+fix floor all wall/gran model spring_dashpot tangential spring_dashpot primitive type 1 yplane 0.0 multistepOrder 4
+fix left all wall/gran model spring_dashpot tangential spring_dashpot primitive type 1 xplane 0.0 multistepOrder 4
+fix right all wall/gran model spring_dashpot tangential spring_dashpot primitive type 1 xplane ${width} multistepOrder 4
+fix rods all particletemplate/multisphere/spherocylinder 1 atom_type 1 type 1 aspect_ratio ${ar} diameter 3e-3 surface overlap 0.5 curvature ${curvature} size_spread 0.05 density constant 2500 planar yes
+fix motion all multisphere/ab order ${order} planar yes events ${events}
+fix plane all enforce2d/multisphere
+fix lines all insert/line 1 template rods 1 per_line 3 total ${rods} x 0 ${width} y ${height} z 0 fall 0.02 velocity -0.25 0.25
+${extra}
+run_style ${style}
+thermo ${every}
+dump bodies all multisphere/body ${every} bodies.*.dump
+dump spheres all multisphere/sphere ${every} spheres.*.dump
+dump contacts all contact/gran ${every} contacts.*.dump
+run ${steps}
+${end}
+)";
+
+/// Largest difference of a column, over the largest value of `scale` (its own if empty).
+double difference(const Table& a, const Table& b, const std::string& name, double scale = 0) {
+  if (a.rows() != b.rows()) throw std::runtime_error("tables of different length");
+  double worst = 0;
+  for (std::size_t i = 0; i < a.rows(); ++i) {
+    worst = std::max(worst, std::fabs(a.column(name)[i] - b.column(name)[i]));
+    if (scale == 0) scale = std::max(scale, std::fabs(a.column(name)[i]));
+  }
+  return scale > 0 ? worst / scale : worst;
+}
+
+/// The deck, going on from a restart file of an earlier run.
+std::string continued(const std::string& file) {
+  std::string text = deck;
+  const auto begin = text.find("region box"), end = text.find("neighbor 3e-4");
+  return text.replace(begin, end - begin, "read_restart " + file + "\n");
+}
+
+Run finished(Vars vars, const std::string& style) {
+  vars["style"] = style;
+  auto run = run_liggghts(deck, vars);
+  if (run.exit_code != 0) throw std::runtime_error(run.output);
+  return run;
+}
+
+Table last(const Run& run, const std::string& kind, const Vars& vars) {
+  return read_dump(run.folder / (kind + "." + vars.at("steps") + ".dump"));
+}
+
+}  // namespace
+
+// Three rods, 1e5 steps: fall, collisions, rest. What differs at first are rounding errors; what
+// remains is below 1e-9 as long as the motion is not chaotic.
+TEST(PlanarEngine, TrajectoriesAreThoseOfTheSphereLevelStyles) {
+  const Vars cases[] = {{{"events", "yes"}, {"steps", "100000"}},
+                        {{"events", "no"}},
+                        {{"order", "2"}},
+                        {{"order", "4"}},
+                        {{"order", "1"}},
+                        {{"curvature", "120"}},
+                        {{"ar", "1"}},
+                        {{"ar", "2"}}};
+  for (Vars vars : cases) {
+    const std::string name = vars.begin()->first + " " + vars.begin()->second;
+    vars.insert({"steps", "10000"});
+    vars["every"] = "1000";
+    const auto spheres = finished(vars, "verlet"), planar = finished(vars, "verlet/planar");
+    const Table a = last(spheres, "bodies", vars), b = last(planar, "bodies", vars);
+    for (const char* column : {"x", "y"}) EXPECT_LT(difference(a, b, column), 1e-9) << name;
+    for (const char* column : {"vx", "vy"})
+      EXPECT_LT(difference(a, b, column, 0.1), 1e-9) << name << ' ' << column;
+    EXPECT_LT(difference(a, b, "omegaz", 0.1 / 7.5e-3), 1e-9) << name;
+    // Only contacts turn the rods.
+    double turned = 0;
+    for (int step = 1000; step <= 10000; step += 1000) {
+      const Table bodies = read_dump(planar.folder / ("bodies." + std::to_string(step) + ".dump"));
+      for (const double omega : bodies.column("omegaz"))
+        turned = std::max(turned, std::fabs(omega));
+    }
+    EXPECT_GT(turned, 0.1) << name;
+  }
+}
+
+// Some 60 rods at rest, from the same restart file. The forces of the contacts follow from springs
+// that have been carried there and back.
+TEST(PlanarEngine, ForcesOfABedAtRestAreThoseOfTheSphereLevelStyles) {
+  for (const char* events : {"yes", "no"}) {
+    const auto bed = finished({{"rods", "60"},
+                               {"height", "0.19"},
+                               {"steps", "100000"},
+                               {"every", "20000"},
+                               {"events", events},
+                               {"end", "write_restart bed.restart"}},
+                              "verlet/planar");
+    std::vector<Table> contacts, spheres;
+    for (const char* style : {"verlet", "verlet/planar"}) {
+      const auto run = run_liggghts_in(bed.folder, continued("bed.restart"),
+                                       {{"rods", "60"},
+                                        {"height", "0.19"},
+                                        {"steps", "10"},
+                                        {"every", "10"},
+                                        {"events", events},
+                                        {"style", style}});
+      ASSERT_EQ(run.exit_code, 0) << run.output;
+      contacts.push_back(read_dump(bed.folder / "contacts.100010.dump"));
+      spheres.push_back(read_dump(bed.folder / "spheres.100010.dump"));
+    }
+    EXPECT_GT(contacts[1].rows(), 100u);
+    for (const char* column : {"fx", "fy"}) {
+      double largest = 0;
+      for (const double f : contacts[0].column(column)) largest = std::max(largest, std::fabs(f));
+      EXPECT_LT(difference(contacts[0], contacts[1], column, largest), 1e-12);
+      EXPECT_LT(difference(spheres[0], spheres[1], column, largest), 1e-12);
+    }
+  }
+}
+
+// Nothing that the engine knows stays in it: what LIGGGHTS writes is all.
+TEST(PlanarEngine, RestartGoesOnExactly) {
+  const Vars vars = {{"rods", "15"},
+                     {"height", "0.08"},
+                     {"steps", "20000"},
+                     {"every", "1000"},
+                     {"extra", "restart 9000 r.*"},
+                     {"style", "verlet/planar"}};
+  const auto run = run_liggghts(deck, vars);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const Table whole = last(run, "bodies", vars);
+  std::filesystem::remove(run.folder / "bodies.20000.dump");
+  Vars rest = vars;
+  rest["steps"] = "11000";
+  const auto again = run_liggghts_in(run.folder, continued("r.9000"), rest);
+  ASSERT_EQ(again.exit_code, 0) << again.output;
+  const Table parts = last(run, "bodies", vars);
+  for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})
+    EXPECT_EQ(whole.column(column), parts.column(column)) << column;
+}
+
+TEST(PlanarEngine, RefusesWhatItCannotHonour) {
+  const auto output = [](const Vars& changes, const std::string& from = "",
+                         const std::string& to = "", int ranks = 1) {
+    Vars vars = changes;
+    vars["style"] = changes.count("style") ? changes.at("style") : "verlet/planar";
+    std::string text = deck;
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    return run_liggghts(text, vars, ranks).output;
+  };
+  EXPECT_THAT(output({{"extra", "fix push all addforce 0 1 0"}}),
+              HasSubstr("run_style verlet/planar: fix addforce (id push) acts in every step"));
+  EXPECT_THAT(output({}, "xplane 0.0", "xcylinder 0.5 0 0"),
+              HasSubstr("run_style verlet/planar: fix wall/gran (id left) is no plane, expected"));
+  EXPECT_THAT(output({}, "xplane 0.0 multistepOrder 4", "xplane 0.0 shear y 1 multistepOrder 4"),
+              HasSubstr("fix wall/gran (id left) moves ('shear'), expected a wall at rest"));
+  EXPECT_THAT(output({}, "boundary f f f", "boundary p f f"),
+              HasSubstr("run_style verlet/planar: periodic boundaries are not supported"));
+  EXPECT_THAT(
+      output({}, "fix motion all multisphere/ab order ${order} planar yes events ${events}",
+             "fix motion all multisphere"),
+      HasSubstr("run_style verlet/planar: the bodies have to be those of one fix multisphere/ab"));
+  EXPECT_THAT(output({}, "planar yes events", "planar no events"),
+              HasSubstr("run_style verlet/planar: fix multisphere/ab moves in space"));
+  EXPECT_THAT(output({{"style", "verlet/planar skin 2e-3 1e-3"}}),
+              HasSubstr("skin is 2e-3 1e-3, expected"));
+}
+
+TEST(PlanarEngine, RefusesSeveralRanks) {
+  const auto run = run_liggghts(deck, {{"style", "verlet/planar"}}, 2);
+  EXPECT_THAT(run.output,
+              HasSubstr("run_style verlet/planar: it runs on one rank so far, but there are 2"));
+}
