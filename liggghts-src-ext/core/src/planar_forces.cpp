@@ -113,10 +113,4 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   restore_lane(pool, place, lane, lane_state);
 }
 
-void PlanarScene::Data::evaluate_walls() {
-  for (int place = 0; place < at_walls.size(); ++place)
-    for (int lane = 0; lane < at_walls.blocks[place].used; ++lane)
-      evaluate_lane(at_walls, place, lane);
-}
-
 }  // namespace rodpack
