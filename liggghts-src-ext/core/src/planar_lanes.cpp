@@ -36,18 +36,20 @@ inline LaneForces lasting_forces(PlanarBlock& block, PlanarBlockHistory& history
     spring += step.spring_weights[k] * load_lanes(history.velocity[k]);
   const Lanes trial = -(block.kt * spring + block.gamma_t * vt);
   const Lanes cap = block.friction * overlap;
-  const Lanes strength = trial < zero ? -trial : trial;
-  LaneMask slides = strength > cap;
+  const LaneMask negative = lane_less(trial, zero);
+  const Lanes strength = lane_choice(negative, -trial, trial);
+  LaneMask slides = lane_less(cap, strength);
   LaneForces forces;
   forces.general = 0;
   if (step.follows) {
-    const LaneMask pushes = uncut > zero, pushed = load_lanes(history.uncut) > zero;
+    const LaneMask pushes = lane_less(zero, uncut);
+    const LaneMask pushed = lane_less(zero, load_lanes(history.uncut));
     LaneMask changes = pushes ^ pushed;
     if (block.gamma_t > 0.0) {
       // Sliding goes on while the velocity keeps the direction of the spring.
       const LaneMask slid = lanes_of_bits(block.sliding);
-      const LaneMask goes_on = vt * spring_before > zero;
-      changes |= slid ? ~goes_on : slides;
+      const LaneMask goes_on = lane_less(zero, vt * spring_before);
+      changes |= lane_choice(slid, ~goes_on, slides);
       slides = slid;
     }
     forces.general = lane_bits(changes) & lasting;
@@ -55,15 +57,15 @@ inline LaneForces lasting_forces(PlanarBlock& block, PlanarBlockHistory& history
   forces.done = lasting & ~forces.general;
 
   const LaneMask acts = lanes_of_bits(forces.done);
-  const Lanes limited = trial < zero ? -cap : cap;
-  const Lanes tangential = slides ? limited : trial;
-  const Lanes normal = uncut > zero ? uncut : zero;
-  forces.normal = acts ? normal : zero;
-  forces.tangential = acts ? tangential : zero;
-  spring = slides ? -limited / block.kt : spring;
+  const Lanes limited = lane_choice(negative, -cap, cap);
+  const Lanes tangential = lane_choice(slides, limited, trial);
+  const Lanes normal = lane_choice(lane_less(zero, uncut), uncut, zero);
+  forces.normal = lane_choice(acts, normal, zero);
+  forces.tangential = lane_choice(acts, tangential, zero);
+  spring = lane_choice(slides, -limited * block.inverse_kt, spring);
 
   const auto keep = [&](double* values, Lanes value) {
-    store_lanes(values, acts ? value : load_lanes(values));
+    store_lanes(values, lane_choice(acts, value, load_lanes(values)));
   };
   keep(history.spring, spring);
   for (int k = step.slots - 1; k > 0; --k)
@@ -132,7 +134,7 @@ inline int evaluate_lasting_wall(PlanarBlock& block, PlanarBlockHistory& history
                                  int axis, Lanes distance, int lasting, const LaneStep& step) {
   const PlanarFrame& i = step.frames[block.i];
   const Lanes zero = all_lanes(0.0);
-  const Lanes side = distance < zero ? all_lanes(-1.0) : all_lanes(1.0);
+  const Lanes side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
   const Lanes nx = axis == 0 ? side : zero, ny = axis == 0 ? zero : side;
   const Lanes overlap = block.radius_i - distance * side;
   const Lanes lever = block.radius_i - 0.5 * overlap;
@@ -167,7 +169,7 @@ void PlanarScene::Data::evaluate_pairs() {
     PlanarBlock& block = pairs.blocks[place];
     const PairArms arms = pair_arms(block, frames[block.i], frames[block.j]);
     const Lanes reach = load_lanes(block.reach);
-    const int touching = lane_bits(arms.rsq < reach * reach), alive = block.alive;
+    const int touching = lane_bits(lane_less(arms.rsq, reach * reach)), alive = block.alive;
     if ((touching | alive) == 0) continue;
     int lasting = touching & block.mature;
     if (follows && (events.jumped(block.i) || events.jumped(block.j))) lasting = 0;
@@ -187,10 +189,11 @@ void PlanarScene::Data::evaluate_walls() {
     const Arms arms = arms_of(block.xi, block.yi, i);
     const Lanes distance =
         (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
-    const Lanes reach = load_lanes(block.reach),
-                away = distance < all_lanes(0.0) ? -distance : distance;
+    const Lanes side =
+        lane_choice(lane_less(distance, all_lanes(0.0)), all_lanes(-1.0), all_lanes(1.0));
     const int used = (1 << block.used) - 1;
-    const int touching = lane_bits(away <= reach) & used, alive = block.alive;
+    const int touching = ~lane_bits(lane_less(load_lanes(block.reach), distance * side)) & used,
+              alive = block.alive;
     if ((touching | alive) == 0) continue;
     int lasting = touching & block.mature;
     if (follows && events.jumped(block.i)) lasting = 0;

@@ -131,6 +131,7 @@ void PlanarScene::Data::set_coefficients(PlanarBlock& block) const {
   block.radius_j = wall ? 0.0 : info[block.j].radius;
   block.kn = law.kn;
   block.kt = law.kt;
+  block.inverse_kt = 1.0 / law.kt;
   block.gamma_n = damping_coefficient(law.eta_n, mass, law.kn);
   block.gamma_t = damping_coefficient(law.eta_t, mass, law.kt);
   block.friction = law.friction * law.kn;

@@ -4,16 +4,21 @@
 
 #include <cmath>
 
-#ifdef __AVX__
+#ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
 namespace rodpack {
 
-// Four doubles at a time, by the vector types of GCC and Clang: arithmetic, comparisons and ?: act
-// per lane. Without AVX the compiler splits them into what the processor has.
-typedef double Lanes __attribute__((vector_size(32)));
-typedef long long LaneMask __attribute__((vector_size(32)));  // all bits set: true
+// Four doubles at a time, by the vector types of GCC and Clang: arithmetic acts per lane. Without
+// AVX the compiler splits them into what the processor has; comparisons and choices it would make
+// one by one, hence the functions below.
+typedef double Lanes __attribute__((vector_size(32), may_alias));
+typedef long long LaneMask __attribute__((vector_size(32), may_alias));  // all bits set: true
+
+#if defined(__GNUC__) && !defined(__AVX__)
+#pragma GCC diagnostic ignored "-Wpsabi"  // everything here is inline: no calling convention
+#endif
 
 inline Lanes load_lanes(const double* values) { return *reinterpret_cast<const Lanes*>(values); }
 inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<Lanes*>(values) = x; }
@@ -27,6 +32,33 @@ inline Lanes lane_sqrt(Lanes x) {
 #endif
 }
 
+inline LaneMask lane_less(Lanes a, Lanes b) {
+#if defined(__SSE2__) && !defined(__AVX__)
+  union {
+    __m128d half[2];
+    LaneMask mask;
+  } result;
+  const double *x = reinterpret_cast<const double*>(&a), *y = reinterpret_cast<const double*>(&b);
+  result.half[0] = _mm_cmplt_pd(_mm_load_pd(x), _mm_load_pd(y));
+  result.half[1] = _mm_cmplt_pd(_mm_load_pd(x + 2), _mm_load_pd(y + 2));
+  return result.mask;
+#else
+  return a < b;
+#endif
+}
+
+/// a where the mask is true, b elsewhere.
+inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
+#ifdef __AVX__
+  return mask ? a : b;
+#else
+  return (Lanes)((mask & (LaneMask)a) | (~mask & (LaneMask)b));
+#endif
+}
+inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
+  return (mask & a) | (~mask & b);
+}
+
 /// Bit k: lane k is true.
 inline int lane_bits(LaneMask mask) {
 #ifdef __AVX__
@@ -37,8 +69,12 @@ inline int lane_bits(LaneMask mask) {
 }
 
 inline LaneMask lanes_of_bits(int bits) {
-  const LaneMask bit = {1, 2, 4, 8};
-  return (LaneMask{bits, bits, bits, bits} & bit) == bit;
+  static const LaneMask masks[16] = {
+      {0, 0, 0, 0},   {-1, 0, 0, 0},   {0, -1, 0, 0},   {-1, -1, 0, 0},
+      {0, 0, -1, 0},  {-1, 0, -1, 0},  {0, -1, -1, 0},  {-1, -1, -1, 0},
+      {0, 0, 0, -1},  {-1, 0, 0, -1},  {0, -1, 0, -1},  {-1, -1, 0, -1},
+      {0, 0, -1, -1}, {-1, 0, -1, -1}, {0, -1, -1, -1}, {-1, -1, -1, -1}};
+  return masks[bits];
 }
 
 /// The sums over the lanes of a, b, c and d.

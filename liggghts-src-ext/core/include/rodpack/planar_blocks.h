@@ -19,11 +19,14 @@ struct alignas(64) PlanarBlock {
   double xj[planar_lanes], yj[planar_lanes];  // of j
   double reach[planar_lanes];                 // sum of the radii; 0: empty lane
   double radius_i, radius_j;
-  double kn, kt, gamma_n, gamma_t, friction;  // of the contact; friction: mu k_n, N/m
+  // of the contact; friction: mu k_n, N/m; inverse_kt: 1 / kt
+  double kn, kt, inverse_kt, gamma_n, gamma_t, friction;
   std::int32_t i, j;                          // bodies; j = -1 - wall
   std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
   std::uint8_t used, alive, mature, sliding;  // bit per lane; mature: its history is full
 };
+
+static_assert(sizeof(PlanarBlock) == 256, "four cache lines");
 
 /// What the contacts of a block remember: read where one of them touches.
 struct alignas(64) PlanarBlockHistory {
