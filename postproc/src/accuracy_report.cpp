@@ -124,6 +124,38 @@ std::string about_settling(const std::vector<SettlingRow>& rows) {
          settling_table(rows);
 }
 
+/// For each scene and error the method that reaches it with the fewest force evaluations.
+std::string cheapest_table(const Rows& rows, const AccuracySettings& settings) {
+  std::string table =
+      "\n## The cheapest\nFewest force evaluations to an error; factor: those of `builtin` over "
+      "them (>: it does not get there with the finest step).\n\n"
+      "| scene | error | method | steps per contact | factor |\n|---|---|---|---|---|\n";
+  for (const auto& name : settings.scenes) {
+    if (name == settling_scene || name == stability_scene) continue;
+    const auto scene = accuracy_scene(name);
+    const auto stock_rows = select(rows, name, "builtin");
+    for (const double target : {1e-2, 1e-3, 1e-4}) {
+      std::optional<AccuracySummary> best, stock;
+      for (const auto& method : settings.methods) {
+        const auto these = select(rows, name, method);
+        if (these.empty()) continue;
+        const auto s =
+            summarise(these, scene.contact_time / paper_step, scene.asymptotic_from, 1e-9, target);
+        if (method == "builtin") stock = s;
+        if (s.evaluations && (!best || *s.evaluations < *best->evaluations)) best = s;
+      }
+      if (!best) continue;
+      table +=
+          "| " + name + " | " + number_text(target) + " | " + best->method + " | " +
+          (best->at_once ? "≤ " : "") +
+          number_text(*best->evaluations * scene.contact_time / scene.duration, 3) + " | " +
+          (stock ? factor(stock->evaluations, stock->finest_evaluations, best->evaluations) : "–") +
+          " |\n";
+    }
+  }
+  return table;
+}
+
 }  // namespace
 
 std::optional<double> observed_order(const std::vector<double>& steps,
@@ -226,7 +258,7 @@ void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<Set
           "| scene | method | order | error at the paper's step | force evaluations to 1e-3 | "
           "factor "
           "| seconds to 1e-3 | factor |\n|---|---|---|---|---|---|---|---|\n" +
-          table +
+          table + cheapest_table(rows, settings) +
           "\n## Scenes\n| scene | error of | reference | contact time, s | steps per contact at "
           "the "
           "paper's step |\n|---|---|---|---|---|\n" +
