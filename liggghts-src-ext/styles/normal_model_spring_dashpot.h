@@ -120,7 +120,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
       set_coefficients(contact);
       const double uncut = contact.kn * contact.deltan - contact.gamman * contact.vn;
       // A force that was cut off before has had its event.
-      if (history[UNCUT] > 0.0 && uncut < 0.0) cross_zero(contact, history, uncut, *events);
+      if (history[UNCUT] > 0.0 && uncut < 0.0) cross_zero(contact, history[UNCUT], uncut, *events);
     }
     std::fill_n(history, VALUES, 0.0);
   }
@@ -166,7 +166,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
 
   void touch(const SurfacesIntersectData& contact, double* history, double uncut,
              ContactEvents* events) const {
-    if (contact.vn >= 0.0) return;
+    if (!ContactEvents::touched_in_step(contact, update->dt)) return;
     // The closing speed is taken as constant since touch; that gives the impulse of the dashpot
     // exactly, and what it misses of the rate is made good in the next step.
     const double since = std::min(update->dt, -contact.deltan / contact.vn);
@@ -179,9 +179,13 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
   void go_on(const SurfacesIntersectData& contact, const double* history, double uncut,
              bool was_fresh, ContactEvents& events) const {
     const double dt = update->dt;
-    if ((uncut > 0.0) != (history[UNCUT] > 0.0)) cross_zero(contact, history, uncut, events);
     ContactEvents::Motion change;
-    if (!(uncut > 0.0) || !events.motion_changed(contact, change)) return;
+    const bool moved = events.motion_changed(contact, change);
+    // The dashpot of the last evaluation did not know of it.
+    const double before =
+        history[UNCUT] - (moved ? contact.gamman * vectorDot3D(change.velocity, contact.en) : 0.0);
+    if ((uncut > 0.0) != (before > 0.0)) cross_zero(contact, before, uncut, events);
+    if (!moved || !(uncut > 0.0)) return;
     double parts[3][3];
     const double* const in_full[3] = {change.acceleration, change.velocity, change.displacement};
     double normal[3];
@@ -193,18 +197,17 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     if (!was_fresh) return;
     // Two evaluations after touch give the rate that was guessed at touch. What was missed has been
     // felt by other contacts of the bodies, hence `jumps`.
-    const double at_touch = history[UNCUT] - contact.gamman * normal[1];
     const double applied = history[TOUCH_RATE] - contact.gamman * normal[0];
-    const double missed = (uncut - at_touch) / dt - applied;
+    const double missed = (uncut - before) / dt - applied;
     along_normal(contact, missed * dt, missed, dt, true, events);
   }
 
   /// The force before the cut has changed sign within the step.
-  void cross_zero(const SurfacesIntersectData& contact, const double* history, double uncut,
+  void cross_zero(const SurfacesIntersectData& contact, double before, double uncut,
                   ContactEvents& events) const {
     const double dt = update->dt, sign = uncut > 0.0 ? 1.0 : -1.0;
-    const double since = rodpack::time_since_zero(history[UNCUT], uncut, dt);
-    along_normal(contact, sign * uncut, sign * (uncut - history[UNCUT]) / dt, since, false, events);
+    const double since = rodpack::time_since_zero(before, uncut, dt);
+    along_normal(contact, sign * uncut, sign * (uncut - before) / dt, since, false, events);
   }
 
   static void along_normal(const SurfacesIntersectData& contact, double force, double rate,

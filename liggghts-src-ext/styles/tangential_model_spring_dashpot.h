@@ -44,8 +44,6 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   TangentialModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
       : TangentialModelBase(lmp, hsetup, c),
         friction_(NULL),
-        kt_(NULL),
-        eta_t_(NULL),
         slots_setting_(3.0),
         slots_(0),
         offset_(-1),
@@ -70,6 +68,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     hsetup->add_history_value("spring_dashpot_count", "0");
     hsetup->add_history_value("spring_dashpot_step", "0");
     hsetup->add_history_value("spring_dashpot_since", "0");
+    hsetup->add_history_value("spring_dashpot_friction", "0");
+    hsetup->add_history_value("spring_dashpot_kt", "0");
+    hsetup->add_history_value("spring_dashpot_damping", "0");
   }
 
   void connectToProperties(PropertyRegistry& registry) {
@@ -78,10 +79,6 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
                  "tangential spring_dashpot: repeat the pair_style command after read_restart");
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
     registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
-    registry.registerProperty("k_t", &MODEL_PARAMS::createKt);
-    registry.registerProperty("dampingRatioTangential", &create_damping_ratio_tangential);
-    registry.connect("k_t", kt_, "tangential_model spring_dashpot");
-    registry.connect("dampingRatioTangential", eta_t_, "tangential_model spring_dashpot");
     check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
                      "a coefficient >= 0");
     order_ = running_order();
@@ -129,6 +126,10 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     if (renewed) {
       std::copy(spring, spring + 3, history);
       if (sliding) count(history) = -count(history);
+      double* const kept = constants(history);
+      kept[0] = friction;
+      kept[1] = sidata.kt;
+      kept[2] = sidata.gammat;
       if (ContactEvents* events = ContactEvents::armed())
         report(sidata, past, law, tangential, sliding, *events);
     }
@@ -145,7 +146,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     ContactEvents* const events = ContactEvents::armed();
     if (events && step(history) == static_cast<double>(update->ntimestep) - 1.0)
       report_end(events->as_if_in_contact(scdata), history, *events);
-    std::fill_n(history, 3 * (slots_ + 1) + 3, 0.0);
+    std::fill_n(history, 3 * (slots_ + 1) + 6, 0.0);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
@@ -154,6 +155,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   double& count(double* history) const { return history[3 * (slots_ + 1)]; }
   double& step(double* history) const { return history[3 * (slots_ + 1) + 1]; }
   double& since(double* history) const { return history[3 * (slots_ + 1) + 2]; }
+  double* constants(double* history) const { return history + 3 * (slots_ + 1) + 3; }
 
   /// Order of the multistep integrator among the fixes, 0 if none: velocity Verlet.
   int running_order() const {
@@ -214,6 +216,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     step(history) = now;
     if (!past.alive) {
       past.since = since(history) = start_spring(sidata, dt, history);
+      if (!ContactEvents::touched_in_step(sidata, dt)) past.since = since(history) = 0.0;
       std::fill_n(newest, 3 * slots_, 0.0);
       std::copy(velocity, velocity + 3, newest);
       count(history) = 1.0;
@@ -341,12 +344,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       return;
     }
     if (law.changed) {
-      if (!(law.since > 0.0)) return;
-      for (int d = 0; d < 3; ++d) {
-        now[d] = force[d] - law.former[d];
-        rate[d] = law.jumps ? 0.0 : now[d] / law.since;
-      }
-      events.add(contact, now, rate, law.since, law.jumps);
+      events.add(contact, law.gain, law.gain_rate, law.since, law.jumps);
       return;
     }
     const ContactEvents::Motion& change = past.change;
@@ -376,17 +374,18 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     const double dt = update->dt;
     if (!(contact.vn > 0.0)) return;
     const double since = std::min(dt, -contact.deltan / contact.vn);
-    const double kt = kt_[contact.itype][contact.jtype];
-    const double gamma =
-        rodpack::damping_coefficient(eta_t_[contact.itype][contact.jtype], contact.meff, kt);
+    const double friction = constants(history)[0], kt = constants(history)[1];
+    const double gamma = constants(history)[2];
     double now[3], rate[3];
     if (count(history) < 0.0) {
-      // A sliding contact's force has fallen to zero with the cap, in proportion to the overlap.
-      if (!(dt - since > 1e-6 * dt)) return;
+      // A sliding contact's force has fallen to zero with the cap, which would go on below it.
       turn_with_contact(contact.en, history);
+      const double length = vectorMag3D(history);
+      if (!(length > 0.0)) return;
       for (int d = 0; d < 3; ++d) {
-        rate[d] = -kt * history[d] / (dt - since);
-        now[d] = rate[d] * since;
+        const double direction = -history[d] / length;
+        now[d] = -friction * contact.deltan * direction;
+        rate[d] = friction * contact.vn * direction;
       }
       events.add(contact, now, rate, since);
       return;
@@ -431,9 +430,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     }
   }
 
-  double** friction_;  // mu per type pair
-  double** kt_;        // for contacts that have just opened: else sidata has them
-  double** eta_t_;
+  double** friction_;      // mu per type pair
   double slots_setting_;   // as read; Settings knows only doubles
   int slots_;              // N: velocities held per contact
   int offset_;             // of the spring in a contact's history
