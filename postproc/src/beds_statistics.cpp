@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "rodpack/beds.h"
+#include "rodpack/step_timing.h"
+
+namespace rodpack {
+
+SeedMean seed_mean(const std::vector<double>& values) {
+  SeedMean mean;
+  mean.seeds = static_cast<int>(values.size());
+  if (values.empty()) return mean;
+  for (const double value : values) mean.value += value / mean.seeds;
+  if (mean.seeds < 2) return mean;
+  double squares = 0;
+  for (const double value : values) squares += std::pow(value - mean.value, 2);
+  mean.error = std::sqrt(squares / (mean.seeds - 1) / mean.seeds);
+  return mean;
+}
+
+double separation(const SeedMean& a, const SeedMean& b) {
+  const double difference = std::fabs(a.value - b.value);
+  return difference == 0 ? 0 : difference / std::hypot(a.error, b.error);
+}
+
+double bed_cost(const std::vector<BedRow>& rows, const BedModel& model) {
+  std::vector<double> costs;
+  for (const auto& row : rows)
+    if (row.model == model) costs.push_back(row.seconds_per_step / model.step);
+  return costs.empty() ? 0 : median(costs);
+}
+
+const std::vector<BedQuantity>& bed_quantities() {
+  static const std::vector<BedQuantity> all = {
+      {"φ", "", [](const BedRow& row) { return row.solid_fraction; }},
+      {"S₂", "", [](const BedRow& row) { return row.order; }},
+      {"E_p", "µJ", [](const BedRow& row) { return 1e6 * row.elastic; }},
+      {"neighbours", "", [](const BedRow& row) { return row.neighbours; }}};
+  return all;
+}
+
+std::vector<BedSummary> summarise_beds(const std::vector<BedRow>& rows,
+                                       const BedComparison& comparison, int rods) {
+  std::vector<BedSummary> summaries;
+  for (const auto& model : comparison.models) {
+    BedSummary summary;
+    summary.model = model;
+    std::vector<BedRow> resting;
+    for (const auto& row : rows) {
+      if (!(row.model == model)) continue;
+      ++summary.runs;
+      if (row.at_rest(rods)) resting.push_back(row);
+    }
+    if (summary.runs == 0) continue;
+    summary.at_rest = static_cast<int>(resting.size());
+    for (const auto& quantity : bed_quantities()) {
+      std::vector<double> values;
+      for (const auto& row : resting) values.push_back(quantity.value(row));
+      summary.means.push_back(seed_mean(values));
+    }
+    summaries.push_back(summary);
+  }
+  for (auto& summary : summaries) {
+    const auto& reference = summaries.back();
+    if (summary.at_rest == 0 || reference.at_rest == 0) continue;
+    for (std::size_t q = 0; q < bed_quantities().size(); ++q) {
+      const double apart = separation(summary.means[q], reference.means[q]);
+      if (apart <= summary.worst) continue;
+      summary.worst = apart;
+      summary.worst_of = bed_quantities()[q].name;
+    }
+  }
+  return summaries;
+}
+
+std::optional<double> largest_step_within(const std::vector<BedSummary>& given, double bound) {
+  auto steps = given;
+  std::sort(steps.begin(), steps.end(),
+            [](const BedSummary& a, const BedSummary& b) { return a.model.step < b.model.step; });
+  if (steps.empty() || !steps.front().all_at_rest() || steps.front().runs < 2) return std::nullopt;
+  double largest = steps.front().model.step;
+  for (const auto& step : steps) {
+    if (!step.all_at_rest() || !(step.worst < bound)) break;
+    largest = step.model.step;
+  }
+  return largest;
+}
+
+}  // namespace rodpack
