@@ -25,9 +25,9 @@ struct BedModel {
 
 /// Where the rods fall (inputs/accuracy/in.bed).
 struct BedScene {
-  int lines = 16;          // of 5 rods
+  int lines = 12;          // of 5 rods
   double width = 0.08;     // m
-  double duration = 0.88;  // s
+  double duration = 1.1;  // s
   int rods() const { return 5 * lines; }
 };
 
