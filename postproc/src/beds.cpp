@@ -50,7 +50,7 @@ std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& metho
   for (const auto& [overlap, step] : {std::pair(0.0, paper_step),
                                       {0.5, paper_step},
                                       {0.75, 0.75 * paper_step},
-                                      {0.875, 0.5 * paper_step}}) {
+                                      {0.875, 0.375 * paper_step}}) {
     surface.models.push_back(paper);
     surface.models.back().overlap = overlap;
     surface.models.back().step = step;

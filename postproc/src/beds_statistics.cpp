@@ -24,6 +24,14 @@ double separation(const SeedMean& a, const SeedMean& b) {
   return difference == 0 ? 0 : difference / std::hypot(a.error, b.error);
 }
 
+SeedMean resting_mean(const std::vector<BedRow>& rows, const BedModel& model, int rods,
+                      const std::function<double(const BedRow&)>& value) {
+  std::vector<double> values;
+  for (const auto& row : rows)
+    if (row.model == model && row.at_rest(rods)) values.push_back(value(row));
+  return seed_mean(values);
+}
+
 double bed_cost(const std::vector<BedRow>& rows, const BedModel& model) {
   std::vector<double> costs;
   for (const auto& row : rows)
@@ -46,19 +54,14 @@ std::vector<BedSummary> summarise_beds(const std::vector<BedRow>& rows,
   for (const auto& model : comparison.models) {
     BedSummary summary;
     summary.model = model;
-    std::vector<BedRow> resting;
     for (const auto& row : rows) {
       if (!(row.model == model)) continue;
       ++summary.runs;
-      if (row.at_rest(rods)) resting.push_back(row);
+      summary.at_rest += row.at_rest(rods) ? 1 : 0;
     }
     if (summary.runs == 0) continue;
-    summary.at_rest = static_cast<int>(resting.size());
-    for (const auto& quantity : bed_quantities()) {
-      std::vector<double> values;
-      for (const auto& row : resting) values.push_back(quantity.value(row));
-      summary.means.push_back(seed_mean(values));
-    }
+    for (const auto& quantity : bed_quantities())
+      summary.means.push_back(resting_mean(rows, model, rods, quantity.value));
     summaries.push_back(summary);
   }
   for (auto& summary : summaries) {

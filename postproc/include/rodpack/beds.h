@@ -25,8 +25,8 @@ struct BedModel {
 
 /// Where the rods fall (inputs/accuracy/in.bed).
 struct BedScene {
-  int lines = 12;          // of 5 rods
-  double width = 0.08;     // m
+  int lines = 12;         // of 5 rods
+  double width = 0.08;    // m
   double duration = 1.1;  // s
   int rods() const { return 5 * lines; }
 };
@@ -89,6 +89,10 @@ SeedMean seed_mean(const std::vector<double>& values);
 /// Difference of two means in combined standard errors; 0 if both errors are 0 and the values are
 /// equal, infinite if they are not.
 double separation(const SeedMean& a, const SeedMean& b);
+
+/// Mean of `value` over the runs of `model` that have come to rest with all `rods`.
+SeedMean resting_mean(const std::vector<BedRow>& rows, const BedModel& model, int rods,
+                      const std::function<double(const BedRow&)>& value);
 
 /// Median processor time per simulated second, s; 0 without rows.
 double bed_cost(const std::vector<BedRow>& rows, const BedModel& model);
