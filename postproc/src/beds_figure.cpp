@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "rodpack/beds.h"
@@ -17,10 +18,27 @@ struct Curve {
 };
 
 struct Panel {
-  std::string label, settings;  // of the y axis; gnuplot commands
+  std::string label;  // of the y axis
   std::vector<Curve> curves;
+  bool from_zero = false;
+  std::string settings = "";  // gnuplot commands
 };
 
+/// A range with few tics that holds all error bars.
+std::string y_range(const Panel& panel) {
+  double low = panel.from_zero ? 0 : INFINITY, high = -INFINITY;
+  for (const auto& curve : panel.curves)
+    for (std::size_t i = 0; i < curve.y.size(); ++i) {
+      low = std::min(low, curve.y[i] - curve.error[i]);
+      high = std::max(high, curve.y[i] + curve.error[i]);
+    }
+  const double spread = std::max(high - low, 1e-3 * std::fabs(high));
+  const double tic = 2 * round_step(spread / 5);
+  return "set yrange [" + number_text(panel.from_zero ? 0 : low - 0.06 * spread) + ":" +
+         number_text(high + 0.06 * spread) + "]\nset ytics " + number_text(tic) + "\n";
+}
+
+/// Four panels under a common key, that of the first one unless others bring their own.
 void draw_panels(const std::string& stem, const std::string& x_label, const std::string& settings,
                  const std::vector<Panel>& panels) {
   std::string blocks, plots;
@@ -37,13 +55,16 @@ void draw_panels(const std::string& stem, const std::string& x_label, const std:
               (curve.title.empty() ? "" : " title '" + curve.title + "'");
     }
     if (plot.empty()) return;
-    plots += panel.settings + "set ylabel '" + panel.label + "' offset 0.5,0\n" + plot +
-             "\nset key off\nset yrange [*:*]\n";
+    plots += y_range(panel) + panel.settings + "set ylabel '" + panel.label + "'\n" + plot +
+             "\nset key off\nunset logscale y\n";
   }
   draw_figure(stem, 1.35,
-              blocks + "set multiplot layout 2,2\nset grid xtics ytics linecolor '#DDDDDD'\n" +
-                  "set xlabel '" + x_label + "'\n" + settings +
-                  "set key top left Left reverse samplen 1\n" + plots + "unset multiplot\n");
+              blocks +
+                  "set multiplot layout 2,2 margins 0.11,0.985,0.115,0.93 spacing 0.135,0.13\n"
+                  "set grid xtics ytics linecolor '#DDDDDD'\nset xlabel '" +
+                  x_label + "' offset 0,0.3\n" + settings +
+                  "set key at screen 0.55,0.985 center top horizontal samplen 1\n" + plots +
+                  "unset multiplot\n");
 }
 
 using Value = std::function<double(const BedRow&)>;
@@ -104,10 +125,10 @@ void draw_steps(const std::vector<BedRow>& rows, const std::vector<BedComparison
   const std::string colours[] = {"#7F7F7F", colour::blue, colour::vermilion, "#009E73",
                                  "#E69F00", "#56B4E9",    "#CC79A7",         "#F0E442"};
   const int points[] = {5, 7, 9, 11, 13, 4, 6, 8};
-  std::vector<Panel> panels = {{"solid fraction {/:Italic φ}", "", {}},
-                               {"order {/:Italic S}_2", "", {}},
-                               {"elastic energy (µJ)", "", {}},
-                               {"neighbours per rod", "", {}}};
+  std::vector<Panel> panels = {{"solid fraction {/:Italic φ}", {}},
+                               {"order {/:Italic S}_2", {}},
+                               {"elastic energy (µJ)", {}},
+                               {"neighbours per rod", {}}};
   std::size_t look = 0;
   for (const auto& comparison : comparisons) {
     if (comparison.name.rfind("step_", 0) != 0) continue;
@@ -120,7 +141,7 @@ void draw_steps(const std::vector<BedRow>& rows, const std::vector<BedComparison
                 comparison.models.front().method, colours[look % 8], points[look % 8]));
     ++look;
   }
-  draw_panels(folder + "/beds_step", "time step (µs)", "set xrange [0:*]\n", panels);
+  draw_panels(folder + "/beds_step", "time step (µs)", "set xrange [0:70]\nset xtics 20\n", panels);
 }
 
 void draw_surface(const std::vector<BedRow>& rows, const std::vector<BedModel>& models, int rods,
@@ -132,15 +153,18 @@ void draw_surface(const std::vector<BedRow>& rows, const std::vector<BedModel>& 
   draw_panels(
       folder + "/beds_surface", "primary spheres per rod",
       "set logscale x 2\nset xrange [4:42]\nset xtics (5, 9, 17, 33)\nunset mxtics\n",
-      {{"solid fraction {/:Italic φ}", "", {curve(rows, models, rods, x, solid_fraction)}},
-       {"elastic energy (µJ)", "", {curve(rows, models, rods, x, elastic_in_microjoule)}},
+      {{"solid fraction {/:Italic φ}", {curve(rows, models, rods, x, solid_fraction)}},
+       {"elastic energy (µJ)", {curve(rows, models, rods, x, elastic_in_microjoule)}},
        {"per rod",
-        "set key on top left\nset yrange [0:*]\n",
         {named(curve(rows, models, rods, x, contacts), "contacts", colour::blue, 7),
-         named(curve(rows, models, rods, x, neighbours), "neighbours", colour::vermilion, 5)}},
-       {"relative cost",
-        "set key on top left\nset logscale y 2\n",
-        {cost(rows, models, x, false), cost(rows, models, x, true)}}});
+         named(curve(rows, models, rods, x, neighbours), "neighbours", colour::vermilion, 5)},
+        true,
+        "set key on inside top left vertical Left reverse\n"},
+       {"cost, relative",
+        {cost(rows, models, x, false), cost(rows, models, x, true)},
+        false,
+        "set key on inside top left vertical Left reverse\n"
+        "set logscale y 2\nset yrange [0.5:24]\nset ytics 2\n"}});
 }
 
 void draw_stiffness(const std::vector<BedRow>& rows, const std::vector<BedModel>& models, int rods,
@@ -157,19 +181,20 @@ void draw_stiffness(const std::vector<BedRow>& rows, const std::vector<BedModel>
     };
     return std::vector<Curve>{
         named(curve(rows, fixed, rods, x(0.98), value), "step 11 µs", colour::blue, 7),
-        named(curve(rows, scaled, rods, x(1.02), value), "step ∝ 1/√k", colour::vermilion, 5)};
+        named(curve(rows, scaled, rods, x(1.02), value), "step ∝ {/:Italic k}^{–1/2}",
+              colour::vermilion, 5)};
   };
   const auto x = [](const BedModel& model) { return model.stiffness; };
   draw_panels(
       folder + "/beds_stiffness", "normal stiffness (N/m)",
       "set logscale x 2\nset xrange [800:5000]\nset xtics (1000, 2000, 4000)\nunset mxtics\n",
-      {{"solid fraction {/:Italic φ}", "", both(solid_fraction)},
-       {"overlap / {/:Italic d_p} (%)", "", both(overlap_in_percent)},
-       {"elastic energy (µJ)", "", both(elastic_in_microjoule)},
-       {"cost of a second, relative",
-        "set yrange [0:*]\n",
+      {{"solid fraction {/:Italic φ}", both(solid_fraction)},
+       {"overlap / {/:Italic d_p} (%)", both(overlap_in_percent), true},
+       {"elastic energy (µJ)", both(elastic_in_microjoule), true},
+       {"cost, relative",
         {named(cost(rows, fixed, x, false), "", colour::blue, 7),
-         named(cost(rows, scaled, x, false), "", colour::vermilion, 5)}}});
+         named(cost(rows, scaled, x, false), "", colour::vermilion, 5)},
+        true}});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "rodpack/beds.h"
 #include "rodpack/chain_geometry.h"
@@ -48,6 +49,14 @@ std::string separation_text(const BedSummary& summary, bool reference) {
   return summary.worst_of + ", " + number_text(summary.worst, 2);
 }
 
+std::string error_text(const BedSummary& summary, const BedSummary& reference,
+                       std::size_t quantity) {
+  if (summary.at_rest == 0) return "not at rest";
+  if (reference.at_rest == 0) return "–";
+  const auto &a = summary.means[quantity], &b = reference.means[quantity];
+  return text(SeedMean{a.seeds, a.value - b.value, std::hypot(a.error, b.error)});
+}
+
 std::string comparison_table(const Rows& rows, const BedComparison& comparison, int rods) {
   const auto summaries = summarise_beds(rows, comparison, rods);
   if (summaries.empty()) return "";
@@ -59,6 +68,7 @@ std::string comparison_table(const Rows& rows, const BedComparison& comparison, 
   for (const auto& summary : summaries) {
     const auto& model = summary.model;
     const auto mean = [&](auto value) { return resting_mean(rows, model, rods, value); };
+    const auto limit = mean([](const BedRow& r) { return r.step_over_limit; });
     table += "| " + integrator(model) + " | " + microseconds(model.step) + " | " + bodies(model) +
              " | " + std::to_string(summary.at_rest) + " of " + std::to_string(summary.runs);
     for (const auto& value : summary.means) table += " | " + text(value);
@@ -67,8 +77,8 @@ std::string comparison_table(const Rows& rows, const BedComparison& comparison, 
              text(mean([](const BedRow& r) {
                return r.mean_force > 0 ? r.largest_force / r.mean_force : 0;
              })) +
-             " | " + number_text(mean([](const BedRow& r) { return r.step_over_limit; }).value, 2) +
-             " | " + separation_text(summary, &summary == &summaries.back()) + " | " +
+             " | " + (summary.at_rest > 0 ? number_text(limit.value, 2) : "–") + " | " +
+             separation_text(summary, &summary == &summaries.back()) + " | " +
              ratio(bed_cost(rows, model), bed_cost(rows, {})) + " |\n";
   }
   return table;
@@ -85,7 +95,8 @@ std::string surface_table(const Rows& rows, int rods) {
       "| spheres (overlap) | depth of grooves / d | up and down when sliding along / d, % | over "
       "mean overlap | friction by grooves | force: least, mean, largest | covered area / capsule's "
       "|\n|---|---|---|---|---|---|---|\n";
-  for (const auto& model : bed_comparisons({}).front().models) {
+  const auto comparisons = bed_comparisons({});
+  for (const auto& model : comparisons.front().models) {
     const double f = model.overlap;
     const auto overlap = resting_mean(rows, model, rods, [](const BedRow& r) { return r.overlap; });
     std::string force = "–", over = "–";
@@ -147,20 +158,18 @@ std::string step_table(const Rows& rows, const std::vector<std::string>& methods
 
 std::string bed_guide(const Rows& rows, const std::vector<std::string>& methods, int rods) {
   std::string table =
-      "| scene | model | integrator | step, µs | expected error of φ | largest difference, s.e. | "
-      "relative cost |\n|---|---|---|---|---|---|---|\n";
+      "| scene | model | integrator | step, µs | expected error of φ | of E_p, µJ | largest "
+      "difference, "
+      "s.e. | relative cost |\n|---|---|---|---|---|---|---|---|\n";
   const auto add = [&](const std::string& scene, const std::vector<BedSummary>& all,
                        const BedSummary& summary) {
-    const auto &mean = summary.means.front(), &reference = all.back().means.front();
     const bool is_reference = &summary == &all.back();
-    const SeedMean difference{mean.seeds, mean.value - reference.value,
-                              std::hypot(mean.error, reference.error)};
     table += "| " + scene + " | " + bodies(summary.model) + " | " + integrator(summary.model) +
-             " | " + microseconds(summary.model.step) + " | " +
-             (is_reference      ? "reference"
-              : mean.seeds == 0 ? "not at rest"
-                                : text(difference)) +
-             " | " + separation_text(summary, is_reference) + " | " +
+             " | " + microseconds(summary.model.step);
+    for (const std::size_t quantity : {std::size_t{0}, std::size_t{2}})
+      table += " | " + (is_reference ? std::string("reference")
+                                     : error_text(summary, all.back(), quantity));
+    table += " | " + separation_text(summary, is_reference) + " | " +
              ratio(bed_cost(rows, summary.model), bed_cost(rows, {})) + " |\n";
   };
   const BedModel paper;
@@ -187,12 +196,12 @@ std::string bed_guide(const Rows& rows, const std::vector<std::string>& methods,
 std::string beds_section(const Rows& rows, const AccuracySettings& settings,
                          const BedScene& scene) {
   if (rows.empty()) return "";
-  int seeds = 0;
-  for (const auto& row : rows) seeds = std::max(seeds, row.seed);
+  std::set<int> seeds;
+  for (const auto& row : rows) seeds.insert(row.seed);
   std::string section =
       "\n## Beds at rest\n" + std::to_string(scene.rods()) + " rods (AR 5) fall into a container " +
       number_text(1e3 * scene.width) + " mm wide and rest after " + number_text(scene.duration) +
-      " s; means over " + std::to_string(seeds) +
+      " s; means over " + std::to_string(seeds.size()) +
       " seeds with standard errors, over the runs at rest: all rods there, E_k ≤ 1e-5 E_p, floor "
       "and walls carry the weight to 1 %.\n\n"
       "- φ: covered area over that of an even bed of this mean height. S₂: ⟨cos 2γ⟩ about the "

@@ -66,7 +66,7 @@ std::vector<BedSummary> summarise_beds(const std::vector<BedRow>& rows,
   }
   for (auto& summary : summaries) {
     const auto& reference = summaries.back();
-    if (summary.at_rest == 0 || reference.at_rest == 0) continue;
+    if (summary.at_rest < 2 || reference.at_rest < 2) continue;  // no errors to compare with
     for (std::size_t q = 0; q < bed_quantities().size(); ++q) {
       const double apart = separation(summary.means[q], reference.means[q]);
       if (apart <= summary.worst) continue;
@@ -84,7 +84,7 @@ std::optional<double> largest_step_within(const std::vector<BedSummary>& given, 
   if (steps.empty() || !steps.front().all_at_rest() || steps.front().runs < 2) return std::nullopt;
   double largest = steps.front().model.step;
   for (const auto& step : steps) {
-    if (!step.all_at_rest() || !(step.worst < bound)) break;
+    if (!step.all_at_rest() || step.runs < 2 || !(step.worst < bound)) break;
     largest = step.model.step;
   }
   return largest;

@@ -296,10 +296,13 @@ TEST(Beds, GuideIsComputedFromTheRows) {
     add_pair(rows, step_model(step, "builtin"), 0.82);
   const auto guide = bed_guide(rows, {"builtin"}, rods);
   EXPECT_THAT(guide, HasSubstr("| how rough the rods are | 9 spheres, 2000 N/m | ab3e planar | 11 "
-                               "| -0.050 ± 0.014 | φ, 3.5 | 1 |"));
-  EXPECT_THAT(guide, HasSubstr("| 33 spheres, 2000 N/m | ab3e planar | 4.12 | reference |"));
+                               "| -0.050 ± 0.014 | 0 | φ, 3.5 | 1 |"));
+  EXPECT_THAT(
+      guide,
+      HasSubstr(
+          "| 33 spheres, 2000 N/m | ab3e planar | 4.12 | reference | reference | reference |"));
   EXPECT_THAT(guide, HasSubstr("| means of a bed, the longest step | 9 spheres, 2000 N/m | builtin "
-                               "| 22 | 0.000 ± 0.014 | – | 0.5 |"));
+                               "| 22 | 0.000 ± 0.014 | 0 | – | 0.5 |"));
   EXPECT_THAT(guide, HasSubstr("| planar or not | 9 spheres, 2000 N/m | builtin | 11 | 0.020 ±"));
 
   AccuracySettings settings;

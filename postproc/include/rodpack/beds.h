@@ -110,7 +110,7 @@ struct BedSummary {
   BedModel model;
   int runs = 0, at_rest = 0;
   std::vector<SeedMean> means;  // of bed_quantities(), over the runs at rest
-  double worst = 0;      // largest separation from the reference, in combined standard errors
+  double worst = 0;      // largest separation from the reference; 0 with fewer than two at rest
   std::string worst_of;  // the quantity
   bool all_at_rest() const { return runs > 0 && at_rest == runs; }
 };
