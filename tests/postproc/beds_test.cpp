@@ -281,6 +281,14 @@ TEST(Beds, ARunBeyondAllBoundsIsARowWithoutRods) {
   EXPECT_EQ(row.rods, 0);
   EXPECT_EQ(row.elastic, 0);
   EXPECT_FALSE(row.at_rest(20));
+  const std::string one_body =
+      "cat > end.dump << EOD\nITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff "
+      "ff\n0 1\n0 1\n0 1\nITEM: ATOMS id y angle area mass\n1 1 1 4e-5 1e-3\nEOD\n"
+      "cat > contacts.dump << EOD\nITEM: TIMESTEP\n1\nITEM: NUMBER OF ENTRIES\n0\nITEM: BOX BOUNDS "
+      "ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES body_i body_j wall fx fy overlap_n\nEOD\n"
+      "echo '# k e l' > energies.txt\n";
+  EXPECT_EQ(fake(one_body + "echo '1 1 1' >> energies.txt\n").rods, 1);
+  EXPECT_EQ(fake(one_body + "echo 'nan 1 1' >> energies.txt\n").rods, 0);
   EXPECT_THROW(fake("true\n"), DataError);
   EXPECT_THROW(fake("echo 'ERROR: no' ; exit 1\n"), DataError);
 }
