@@ -68,7 +68,7 @@ void draw_panels(const std::string& stem, const std::string& x_label, const std:
       const std::string name = "curve" + std::to_string(++count);
       blocks += datablock(name, {curve.x, curve.y, curve.error});
       plot += (plot.empty() ? "plot $" : ", $") + name +
-              " using 1:2:3 with yerrorlines linewidth 1.2 pointsize 1.2 pointtype " +
+              " using 1:2:3 with yerrorlines linewidth 1.2 pointsize 0.9 pointtype " +
               std::to_string(curve.point) + " linecolor '" + curve.colour + "'" +
               (curve.title.empty() ? "" : " title '" + curve.title + "'");
     }

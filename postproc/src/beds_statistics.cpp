@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "rodpack/beds.h"
 #include "rodpack/step_timing.h"
@@ -19,9 +20,8 @@ SeedMean seed_mean(const std::vector<double>& values) {
   return mean;
 }
 
-double separation(const SeedMean& a, const SeedMean& b) {
-  const double difference = std::fabs(a.value - b.value);
-  return difference == 0 ? 0 : difference / std::hypot(a.error, b.error);
+double in_standard_errors(const SeedMean& difference) {
+  return difference.value == 0 ? 0 : std::fabs(difference.value) / difference.error;
 }
 
 SeedMean resting_mean(const std::vector<BedRow>& rows, const BedModel& model, int rods,
@@ -30,6 +30,21 @@ SeedMean resting_mean(const std::vector<BedRow>& rows, const BedModel& model, in
   for (const auto& row : rows)
     if (row.model == model && row.at_rest(rods)) values.push_back(value(row));
   return seed_mean(values);
+}
+
+SeedMean paired_difference(const std::vector<BedRow>& rows, const BedModel& model,
+                           const BedModel& reference, int rods,
+                           const std::function<double(const BedRow&)>& value) {
+  std::map<int, double> expected;
+  for (const auto& row : rows)
+    if (row.model == reference && row.at_rest(rods)) expected[row.seed] = value(row);
+  std::vector<double> differences;
+  for (const auto& row : rows) {
+    const auto pair = expected.find(row.seed);
+    if (row.model == model && row.at_rest(rods) && pair != expected.end())
+      differences.push_back(value(row) - pair->second);
+  }
+  return seed_mean(differences);
 }
 
 double bed_cost(const std::vector<BedRow>& rows, const BedModel& model) {
@@ -64,16 +79,16 @@ std::vector<BedSummary> summarise_beds(const std::vector<BedRow>& rows,
       summary.means.push_back(resting_mean(rows, model, rods, quantity.value));
     summaries.push_back(summary);
   }
-  for (auto& summary : summaries) {
-    const auto& reference = summaries.back();
-    if (summary.at_rest < 2 || reference.at_rest < 2) continue;  // no errors to compare with
-    for (std::size_t q = 0; q < bed_quantities().size(); ++q) {
-      const double apart = separation(summary.means[q], reference.means[q]);
+  for (auto& summary : summaries)
+    for (const auto& quantity : bed_quantities()) {
+      const auto difference =
+          paired_difference(rows, summary.model, summaries.back().model, rods, quantity.value);
+      summary.differences.push_back(difference);
+      const double apart = difference.seeds < 2 ? 0 : in_standard_errors(difference);
       if (apart <= summary.worst) continue;
       summary.worst = apart;
-      summary.worst_of = bed_quantities()[q].name;
+      summary.worst_of = quantity.name;
     }
-  }
   return summaries;
 }
 

@@ -86,13 +86,19 @@ struct SeedMean {
   double value = 0, error = 0;
 };
 SeedMean seed_mean(const std::vector<double>& values);
-/// Difference of two means in combined standard errors; 0 if both errors are 0 and the values are
-/// equal, infinite if they are not.
-double separation(const SeedMean& a, const SeedMean& b);
+/// A mean difference in its standard errors; 0 if it is 0, infinite if only its error is.
+double in_standard_errors(const SeedMean& difference);
 
 /// Mean of `value` over the runs of `model` that have come to rest with all `rods`.
 SeedMean resting_mean(const std::vector<BedRow>& rows, const BedModel& model, int rods,
                       const std::function<double(const BedRow&)>& value);
+
+/// Mean difference of `value` between `model` and `reference`, over the seeds with which both have
+/// come to rest. In pairs, since a seed's bed is much the same with either: the way the rods start
+/// makes two thirds of the scatter of phi.
+SeedMean paired_difference(const std::vector<BedRow>& rows, const BedModel& model,
+                           const BedModel& reference, int rods,
+                           const std::function<double(const BedRow&)>& value);
 
 /// Median processor time per simulated second, s; 0 without rows.
 double bed_cost(const std::vector<BedRow>& rows, const BedModel& model);
@@ -109,9 +115,10 @@ const std::vector<BedQuantity>& bed_quantities();
 struct BedSummary {
   BedModel model;
   int runs = 0, at_rest = 0;
-  std::vector<SeedMean> means;  // of bed_quantities(), over the runs at rest
-  double worst = 0;      // largest separation from the reference; 0 with fewer than two at rest
-  std::string worst_of;  // the quantity
+  std::vector<SeedMean> means;        // of bed_quantities(), over the runs at rest
+  std::vector<SeedMean> differences;  // of the same from the reference, in pairs
+  double worst = 0;      // largest of these, in standard errors; 0: fewer than two pairs
+  std::string worst_of;  // its quantity
   bool all_at_rest() const { return runs > 0 && at_rest == runs; }
 };
 /// One entry per model that has rows, in the comparison's order, held against the last of them.
@@ -119,8 +126,8 @@ std::vector<BedSummary> summarise_beds(const std::vector<BedRow>& rows,
                                        const BedComparison& comparison, int rods);
 
 /// The largest time step up to which, from the finest on, all runs come to rest with no mean
-/// `bound` or more combined standard errors from that of the finest step. None when the finest does
-/// not come to rest, or its means have no error.
+/// `bound` or more standard errors of the difference away from that of the finest step. None when
+/// the finest does not come to rest, or its means have no error.
 std::optional<double> largest_step_within(const std::vector<BedSummary>& steps, double bound);
 
 /// Section for accuracy.md: the comparisons, the closed forms of the surface, and the guide.
