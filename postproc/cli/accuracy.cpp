@@ -66,7 +66,8 @@ void add_accuracy(CLI::App& app) {
   command->footer(
       "Example:\n"
       "  rodpack accuracy results/accuracy --methods builtin,ab3\n"
-      "writes accuracy.csv, accuracy.md and two figures per scene, .png/.svg.");
+      "writes accuracy.csv, accuracy.md and two figures per scene, .png/.svg; beds (which model a "
+      "settled bed needs): beds.csv and three figures.");
   command->add_option("OUT", options->out, "folder of the results")->required();
   command
       ->add_option("--liggghts", settings.liggghts.program,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "rodpack/beds.h"
@@ -16,8 +16,8 @@ using Rows = std::vector<BedRow>;
 constexpr double aspect_ratio = 5, diameter = 3e-3;  // of the deck's rods, m
 
 /// As many digits as the error tells, one of its own and one more.
-std::string text(const SeedMean& mean, double factor = 1) {
-  const double value = mean.value * factor, error = mean.error * factor;
+std::string text(const SeedMean& mean) {
+  const double value = mean.value, error = mean.error;
   if (mean.seeds == 0) return "–";
   if (!(error > 0)) return number_text(value, 3);
   const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
