@@ -17,10 +17,12 @@ constexpr double aspect_ratio = 5, diameter = 3e-3;  // of the deck's rods, m
 
 /// As many digits as the error tells, one of its own and one more.
 std::string text(const SeedMean& mean) {
-  const double value = mean.value, error = mean.error;
+  double value = mean.value;
+  const double error = mean.error;
   if (mean.seeds == 0) return "–";
   if (!(error > 0)) return number_text(value, 3);
   const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+  if (std::fabs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0;  // no "-0.00"
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, "%.*f ± %.*f", decimals, value, decimals, error);
   return buffer;
