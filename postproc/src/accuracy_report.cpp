@@ -115,15 +115,6 @@ void draw(const Rows& rows, const std::string& scene, const std::vector<std::str
                   number_text(std::min(largest * 2, 10.0)) + "]\n" + curves + "\n");
 }
 
-std::string about_settling(const std::vector<SettlingRow>& rows) {
-  if (rows.empty()) return "";
-  return "\n## 50 rods settle\n"
-         "Chaotic: means over seeds with standard errors, 0.5 s after the start. The contact time "
-         "is that of two of the paper's spheres, 4.176e-4 s. Solid fraction: below the mean height "
-         "of the centres.\n\n" +
-         settling_table(rows);
-}
-
 /// For each scene and error the method that reaches it with the fewest force evaluations.
 std::string cheapest_table(const Rows& rows, const AccuracySettings& settings) {
   std::string table =
@@ -131,7 +122,7 @@ std::string cheapest_table(const Rows& rows, const AccuracySettings& settings) {
       "them (>: it does not get there with the finest step).\n\n"
       "| scene | error | method | steps per contact | factor |\n|---|---|---|---|---|\n";
   for (const auto& name : settings.scenes) {
-    if (name == settling_scene || name == stability_scene) continue;
+    if (name == beds_scene || name == stability_scene) continue;
     const auto scene = accuracy_scene(name);
     const auto stock_rows = select(rows, name, "builtin");
     for (const double target : {1e-2, 1e-3, 1e-4}) {
@@ -209,11 +200,11 @@ AccuracySummary summarise(const std::vector<AccuracyRow>& given, double steps_of
   return result;
 }
 
-void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<SettlingRow>& settling,
+void report_accuracy(const std::vector<AccuracyRow>& rows, const std::string& beds,
                      const AccuracySettings& settings, const std::string& folder) {
   std::string table, scenes;
   for (const auto& name : settings.scenes) {
-    if (name == settling_scene || name == stability_scene) continue;
+    if (name == beds_scene || name == stability_scene) continue;
     const auto scene = accuracy_scene(name);
     const double of_paper = scene.contact_time / paper_step;
     const auto stock_rows = select(rows, name, "builtin");
@@ -262,7 +253,7 @@ void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<Set
           "\n## Scenes\n| scene | error of | reference | contact time, s | steps per contact at "
           "the "
           "paper's step |\n|---|---|---|---|---|\n" +
-          scenes + about_settling(settling));
+          scenes + beds);
 }
 
 }  // namespace rodpack
