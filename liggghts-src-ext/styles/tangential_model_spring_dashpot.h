@@ -344,7 +344,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       return;
     }
     if (law.changed) {
-      events.add(contact, law.gain, law.gain_rate, law.since, law.jumps);
+      if (law.since > 0.0) events.add(contact, law.gain, law.gain_rate, law.since, law.jumps);
       return;
     }
     const ContactEvents::Motion& change = past.change;
