@@ -19,9 +19,10 @@ using rodpack::ForceChange;
 
 namespace {
 
-constexpr int change_values = sizeof(ContactEvents::Changes) / sizeof(double);
-constexpr int motion_values = 2 * sizeof(ContactEvents::AtomMotion) / sizeof(double);
-static_assert(change_values == 25 && motion_values == 38, "plain doubles, stored per atom");
+constexpr int force_values = 13, torque_values = 12, motion_values = 19;
+static_assert(sizeof(ForceChange) == 12 * sizeof(double) &&
+                  sizeof(ContactEvents::AtomMotion) == motion_values * sizeof(double),
+              "plain doubles, stored per atom");
 
 FixPropertyAtom* add_property(Modify* modify, const char* name, int values, bool restart,
                               const char* caller) {
@@ -39,17 +40,23 @@ FixPropertyAtom* add_property(Modify* modify, const char* name, int values, bool
 ContactEvents* ContactEvents::armed_ = NULL;
 
 void ContactEvents::create_properties(const char* caller) {
-  changes_ = add_property(modify, "contact_events_changes", change_values, false, caller);
-  motion_ = add_property(modify, "contact_events_motion", motion_values, true, caller);
+  force_changes_ = add_property(modify, "contact_events_force", force_values, false, caller);
+  torque_changes_ = add_property(modify, "contact_events_torque", torque_values, false, caller);
+  last_motion_ = add_property(modify, "contact_events_motion", motion_values, true, caller);
+  motion_before_ = add_property(modify, "contact_events_before", motion_values, true, caller);
 }
 
-void ContactEvents::delete_properties() {
-  modify->delete_fix(changes_->id);
-  modify->delete_fix(motion_->id);
+void ContactEvents::init() {
+  if (last_step_ < 0 || last_step_ == update->ntimestep) return;
+  for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
+    motion(last_motion_, i) = AtomMotion();
+    motion(motion_before_, i) = AtomMotion();
+  }
 }
 
 void ContactEvents::arm() {
   armed_ = this;
+  last_step_ = update->ntimestep;
   follows_jump_ = pending_;
   pending_ = false;
 }
@@ -58,12 +65,14 @@ void ContactEvents::disarm() {
   if (armed_ == this) armed_ = NULL;
 }
 
-const ContactEvents::Changes& ContactEvents::changes(int i) const {
-  return *reinterpret_cast<Changes*>(changes_->array_atom[i]);
+ContactEvents::Changes ContactEvents::changes(int i) const {
+  const double* force = force_changes_->array_atom[i];
+  return {*reinterpret_cast<const ForceChange*>(force),
+          *reinterpret_cast<const ForceChange*>(torque_changes_->array_atom[i]), force[12]};
 }
 
-ContactEvents::Motions& ContactEvents::motions(int i) const {
-  return *reinterpret_cast<Motions*>(motion_->array_atom[i]);
+ContactEvents::AtomMotion& ContactEvents::motion(FixPropertyAtom* property, int i) const {
+  return *reinterpret_cast<AtomMotion*>(property->array_atom[i]);
 }
 
 void ContactEvents::add(const Contact& contact, const double (&now)[3], const double (&rate)[3],
@@ -86,17 +95,17 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
     if (atom_index >= atom->nlocal) return;  // its owner sees this contact too
     ForceChange force = on_i;
     for (int d = 0; d < 3; ++d) {
-      // the lever of i points against the force that pushes i away, that of j too
       force.now[d] *= sign * share;
       force.rate[d] *= sign * share;
       force.impulse[d] *= sign * share;
       force.sweep[d] *= sign * share;
     }
     rodpack::contact_lever(contact, turn, length, -sign, lever, rate);
-    Changes& sum = *reinterpret_cast<Changes*>(changes_->array_atom[atom_index]);
-    sum.force += force;
-    sum.torque += rodpack::torque_change(lever, rate, force);
-    sum.jumps += jumps;
+    double* const sum = force_changes_->array_atom[atom_index];
+    *reinterpret_cast<ForceChange*>(sum) += force;
+    *reinterpret_cast<ForceChange*>(torque_changes_->array_atom[atom_index]) +=
+        rodpack::torque_change(lever, rate, force);
+    sum[12] += jumps;
     if (is_changed_[atom_index]) return;
     is_changed_[atom_index] = 1;
     changed_.push_back(atom_index);
@@ -106,14 +115,15 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
 }
 
 const ContactEvents::AtomMotion* ContactEvents::changed_motion(int i) const {
-  const Motions& found = motions(i);
   const double now = static_cast<double>(update->ntimestep);
-  return found.last.step == now ? &found.last : found.before.step == now ? &found.before : NULL;
+  for (FixPropertyAtom* property : {last_motion_, motion_before_})
+    if (motion(property, i).step == now) return &motion(property, i);
+  return NULL;
 }
 
 const ContactEvents::AtomMotion* ContactEvents::motion_for_next_step(int i) const {
-  const Motions& found = motions(i);
-  return found.last.step == static_cast<double>(update->ntimestep + 1) ? &found.last : NULL;
+  const AtomMotion& last = motion(last_motion_, i);
+  return last.step == static_cast<double>(update->ntimestep + 1) ? &last : NULL;
 }
 
 bool ContactEvents::find_change(const Contact& contact, Motion& change) const {
@@ -180,10 +190,11 @@ bool ContactEvents::collect() {
   // in the order of the atoms, whatever that of the contacts
   std::sort(changed_.begin(), changed_.end());
   if (comm->nprocs > 1) {
-    changes_->do_forward_comm();
+    force_changes_->do_forward_comm();
+    torque_changes_->do_forward_comm();
     for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; ++i) {
-      const double* values = changes_->array_atom[i];
-      if (std::any_of(values, values + change_values, [](double value) { return value != 0.0; }))
+      const double* values = force_changes_->array_atom[i];
+      if (std::any_of(values, values + force_values, [](double value) { return value != 0.0; }))
         changed_.push_back(i);
     }
   }
@@ -192,7 +203,8 @@ bool ContactEvents::collect() {
 
 void ContactEvents::clear() {
   for (int i : changed_) {
-    std::fill_n(changes_->array_atom[i], change_values, 0.0);
+    std::fill_n(force_changes_->array_atom[i], force_values, 0.0);
+    std::fill_n(torque_changes_->array_atom[i], torque_values, 0.0);
     if (i < atom->nlocal) is_changed_[i] = 0;
   }
   changed_.clear();
@@ -201,30 +213,31 @@ void ContactEvents::clear() {
 void ContactEvents::begin_publishing() {
   if (comm->nprocs == 1) return;  // the step in each entry says which ones count
   for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
-    if (i < atom->nlocal)
-      motions(i).before = motions(i).last;
-    else
-      motions(i).before = AtomMotion();
-    motions(i).last = AtomMotion();
+    AtomMotion& last = motion(last_motion_, i);
+    motion(motion_before_, i) = i < atom->nlocal ? last : AtomMotion();
+    last = AtomMotion();
   }
 }
 
-void ContactEvents::publish(int i, const AtomMotion& motion) {
-  if (comm->nprocs == 1) motions(i).before = motions(i).last;
-  motions(i).last = motion;
-  motions(i).last.step = static_cast<double>(update->ntimestep + 1);
+void ContactEvents::publish(int i, const AtomMotion& changed) {
+  AtomMotion& last = motion(last_motion_, i);
+  if (comm->nprocs == 1) motion(motion_before_, i) = last;
+  last = changed;
+  last.step = static_cast<double>(update->ntimestep + 1);
 }
 
 void ContactEvents::end_publishing() {
   pending_ = true;
   if (comm->nprocs == 1) return;
   // A body belongs to one rank, which has set its spheres wherever they are owned.
-  motion_->do_reverse_comm();
-  motion_->do_forward_comm();
+  last_motion_->do_reverse_comm();
+  renew_ghosts();
 }
 
 void ContactEvents::renew_ghosts() {
-  if (follows_jump_) motion_->do_forward_comm();
+  if (!follows_jump_ && !pending_) return;
+  last_motion_->do_forward_comm();
+  motion_before_->do_forward_comm();
 }
 
 }  // namespace LAMMPS_NS

@@ -54,7 +54,8 @@ class ContactEvents : protected Pointers {
 
   /// Makes the properties of the atoms; call in post_create.
   void create_properties(const char* caller);
-  void delete_properties();
+  /// Call in init: forgets what belongs to other steps than those to come.
+  void init();
 
   void arm();
   void disarm();
@@ -65,9 +66,9 @@ class ContactEvents : protected Pointers {
   const std::vector<int>& changed() const { return changed_; }
   struct Changes {
     rodpack::ForceChange force, torque;  // torque about the centre of the sphere
-    double jumps;                        // how many of them jumped
+    double jumps;                        // how many of the forces jumped
   };
-  const Changes& changes(int i) const;
+  Changes changes(int i) const;
   /// Forgets the changes.
   void clear();
   /// Whether, on any rank, accelerations have jumped, so that the integrator has to publish.
@@ -89,20 +90,20 @@ class ContactEvents : protected Pointers {
   void renew_ghosts();
 
  private:
-  struct Motions {
-    AtomMotion last, before;  // a restart may go on from contacts of one step before
-  };
-  Motions& motions(int i) const;
+  AtomMotion& motion(class FixPropertyAtom* property, int i) const;
   const AtomMotion* changed_motion(int i) const;
   bool find_change(const Contact& contact, Motion& change) const;
 
   static ContactEvents* armed_;
   const class FixMultisphere* bodies_;
-  class FixPropertyAtom* changes_ = NULL;
-  class FixPropertyAtom* motion_ = NULL;
+  class FixPropertyAtom* force_changes_ = NULL;
+  class FixPropertyAtom* torque_changes_ = NULL;
+  class FixPropertyAtom* last_motion_ = NULL;
+  class FixPropertyAtom* motion_before_ = NULL;  // for contacts of a restart, one step old
   std::vector<int> changed_;
   std::vector<char> is_changed_;  // of each atom, whether it is in that list
   bool local_jump_ = false, any_jumped_ = false;
+  bigint last_step_ = -1;
   // Whether motions may have changed in this step, in the last one; unknown after a restart.
   bool pending_ = true, follows_jump_ = true;
 };

@@ -20,6 +20,8 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
       index_(-1),
       operator_(LESS),
       start_(0),
+      hold_(0),
+      since_(-1),
       message_(true),
       halted_(false),
       quit_set_here_(false) {
@@ -43,6 +45,11 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
       start_ = ATOBIGINT(arg[iarg + 1]);
       if (start_ < 0)
         error->fix_error(FLERR, this, ("start is " + value + ", expected a step >= 0").c_str());
+    } else if (keyword == "hold") {
+      hold_ = ATOBIGINT(arg[iarg + 1]);
+      if (hold_ < 0)
+        error->fix_error(FLERR, this,
+                         ("hold is " + value + ", expected a number of steps >= 0").c_str());
     } else if (keyword == "message") {
       if (value != "yes" && value != "no")
         error->fix_error(FLERR, this, ("message is " + value + ", expected yes or no").c_str());
@@ -53,6 +60,7 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
   }
 
   scalar_flag = 1;
+  restart_global = 1;
   global_freq = 1;
   extscalar = 0;
   // Computes that keep a list of steps need to be asked for in advance; which ones the variable
@@ -108,7 +116,12 @@ void FixHalt::end_of_step() {
   if (update->ntimestep < start_) return;
   // Rounding may differ between ranks; all of them have to leave the loop in the same step.
   MPI_Bcast(&left, 1, MPI_DOUBLE, 0, world);
-  if (!holds(left)) return;
+  if (!holds(left)) {
+    since_ = -1;
+    return;
+  }
+  if (since_ < 0) since_ = update->ntimestep;
+  if (update->ntimestep - since_ < hold_) return;
 
   halted_ = true;
   if (message_ && comm->me == 0) {
@@ -130,6 +143,20 @@ void FixHalt::end_of_step() {
   // the input script goes on. A true interrupt stays.
   quit_set_here_ = !SignalHandler::request_quit;
   SignalHandler::request_quit = true;
+}
+
+void FixHalt::write_restart(FILE* file) {
+  if (comm->me != 0) return;
+  const double since = static_cast<double>(since_);
+  const int size = sizeof(since);
+  std::fwrite(&size, sizeof(size), 1, file);
+  std::fwrite(&since, sizeof(since), 1, file);
+}
+
+void FixHalt::restart(char* buffer) {
+  double since;
+  std::memcpy(&since, buffer, sizeof(since));
+  since_ = static_cast<bigint>(since);
 }
 
 void FixHalt::post_run() {

@@ -12,8 +12,8 @@ FixStyle(halt,FixHalt)
 
 namespace LAMMPS_NS {
 
-/// Ends a run when an equal-style variable meets a condition; the input script goes on. Scalar: 1
-/// if the last run was ended by this fix, else 0.
+/// Ends a run when an equal-style variable meets a condition, or has met it for a while; the input
+/// script goes on. Scalar: 1 if the last run was ended by this fix, else 0.
 class FixHalt : public Fix {
  public:
   FixHalt(class LAMMPS* lmp, int narg, char** arg);
@@ -22,6 +22,8 @@ class FixHalt : public Fix {
   void setup(int vflag);
   void end_of_step();
   void post_run();
+  void write_restart(FILE* file);
+  void restart(char* buffer);
   double compute_scalar() { return halted_ ? 1.0 : 0.0; }
 
  private:
@@ -35,6 +37,8 @@ class FixHalt : public Fix {
   std::string operator_text_;
   double value_;
   bigint start_;  // no check before this step
+  bigint hold_;   // steps for which the condition has to have held at every check
+  bigint since_;  // first step of the checks at which it has held; -1: it does not hold
   bool message_;
   bool halted_;
   bool quit_set_here_;

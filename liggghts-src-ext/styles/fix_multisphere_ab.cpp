@@ -86,12 +86,11 @@ void FixMultisphereAB::parse(int narg, char** arg) {
 
 void FixMultisphereAB::post_create() {
   FixMultisphere::post_create();
-  if (events_) events_->create_properties(style);
-}
-
-void FixMultisphereAB::pre_delete(bool unfixflag) {
-  if (unfixflag && events_) events_->delete_properties();
-  FixMultisphere::pre_delete(unfixflag);
+  if (!events_) return;
+  events_->create_properties(style);
+  // The models are told of a pair that parts only while it is closer than this times the sum of the
+  // radii: far enough for a step. The pair style asks for it before init.
+  neighbor->register_contact_dist_factor(1.02);
 }
 
 void FixMultisphereAB::init() {
@@ -101,9 +100,7 @@ void FixMultisphereAB::init() {
   if (modify->n_fixes_style("insert/stream") > 0)
     ms_error(FLERR, "fix insert/stream, which moves bodies by itself at first, is not supported");
   planar_ = options_.planar();
-  // The models are told of a pair that parts only while it is closer than this times the sum of the
-  // radii: far enough for a step.
-  if (events_) neighbor->register_contact_dist_factor(1.02);
+  if (events_) events_->init();
   restart_history_after_change();
 }
 

@@ -34,7 +34,6 @@ class FixMultisphereAB : public FixMultisphere {
   FixMultisphereAB(class LAMMPS*, int, char**);
 
   void post_create() override;
-  void pre_delete(bool unfixflag) override;
   void init() override;
   void initial_integrate(int) override;
   void pre_force(int) override;

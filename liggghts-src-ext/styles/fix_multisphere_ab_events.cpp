@@ -79,7 +79,7 @@ void FixMultisphereAB::sum_changes() {
       rate[d] = atom->v[i][d] - vcm_(body)[d];
     }
     if (i >= atom->nlocal) domain->minimum_image(lever[0], lever[1], lever[2]);
-    const ContactEvents::Changes& change = events_->changes(i);
+    const ContactEvents::Changes change = events_->changes(i);
     ContactEvents::Changes& sum = changes_[place_[body]];
     sum.force += change.force;
     sum.torque += change.torque;

@@ -15,12 +15,12 @@ using namespace LAMMPS_NS;
 // in them or spatial ones. A stock restart file may go on with other properties in its place; none
 // of those is negative.
 int FixMultisphereAB::layout() const {
-  return -(1000 + 100 * order_ + 10 * options_.always_planar() + planar_);
+  return -(2000 + 100 * order_ + 10 * options_.always_planar() + planar_);
 }
 
 /// Values per body that a history of this layout takes in a restart file; 0 if it is none of ours.
 int FixMultisphereAB::history_size(int layout) {
-  const int order = -layout / 100 - 10;
+  const int order = -layout / 100 - 20;
   if (order < 1 || order > rodpack::max_multistep_order) return 0;
   const bool short_records = -layout / 10 % 10 == 1;
   return 3 + 12 + (order - 1) * (short_records ? 6 : 13);

@@ -170,6 +170,7 @@ struct PlanarContacts::Record {
     tangential.count() = contact.count;
     tangential.step() = now;
     tangential.since() = contact.since;
+    std::copy(contact.constants, contact.constants + 3, tangential.constants());
     normal.uncut = contact.uncut;
     normal.touch_rate = contact.touch_rate;
     normal.fresh = contact.fresh ? 1.0 : 0.0;
@@ -265,7 +266,8 @@ void PlanarContacts::write(const std::vector<PlanarContactState>& contacts,
     const int j = atoms[contact.body_j][contact.sphere_j];
     int owner = i;
     const int jj = find_in_list(i, j, owner);
-    if (jj < 0) error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
+    if (jj < 0)
+      error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
     const int other = owner == i ? j : i;
     const double dx = x[owner][0] - x[other][0], dy = x[owner][1] - x[other][1];
     const double r = std::hypot(dx, dy);

@@ -40,8 +40,6 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   TangentialModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
       : TangentialModelBase(lmp, hsetup, c),
         friction_(NULL),
-        kt_(NULL),
-        eta_t_(NULL),
         slots_setting_(3.0),
         slots_(0),
         offset_(-1),
@@ -66,6 +64,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     hsetup->add_history_value("spring_dashpot_count", "0");
     hsetup->add_history_value("spring_dashpot_step", "0");
     hsetup->add_history_value("spring_dashpot_since", "0");
+    hsetup->add_history_value("spring_dashpot_friction", "0");
+    hsetup->add_history_value("spring_dashpot_kt", "0");
+    hsetup->add_history_value("spring_dashpot_damping", "0");
   }
 
   void connectToProperties(PropertyRegistry& registry) {
@@ -74,10 +75,6 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
                  "tangential spring_dashpot: repeat the pair_style command after read_restart");
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
     registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
-    registry.registerProperty("k_t", &MODEL_PARAMS::createKt);
-    registry.registerProperty("dampingRatioTangential", &create_damping_ratio_tangential);
-    registry.connect("k_t", kt_, "tangential_model spring_dashpot");
-    registry.connect("dampingRatioTangential", eta_t_, "tangential_model spring_dashpot");
     check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
                      "a coefficient >= 0");
     order_ = running_order();
@@ -112,13 +109,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     const TangentialHistory history = kept(scdata.contact_history);
     if (history.count() == 0.0) return;
     ContactEvents* const events = ContactEvents::armed();
-    if (events && history.step() == static_cast<double>(update->ntimestep) - 1.0) {
-      SurfacesIntersectData contact = events->as_if_in_contact(scdata);
-      contact.kt = kt_[contact.itype][contact.jtype];
-      contact.gammat = rodpack::damping_coefficient(eta_t_[contact.itype][contact.jtype],
-                                                    contact.meff, contact.kt);
-      rodpack::end_tangential_force(contact, history, this_step(), *events);
-    }
+    if (events && history.step() == static_cast<double>(update->ntimestep) - 1.0)
+      rodpack::end_tangential_force(events->as_if_in_contact(scdata), history, this_step(),
+                                    *events);
     history.clear();
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
@@ -182,9 +175,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     }
   }
 
-  double** friction_;  // mu per type pair
-  double** kt_;        // for contacts that have just opened: else sidata has them
-  double** eta_t_;
+  double** friction_;      // mu per type pair
   double slots_setting_;   // as read; Settings knows only doubles
   int slots_;              // N: velocities held per contact
   int offset_;             // of the spring in a contact's history

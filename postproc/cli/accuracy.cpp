@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "rodpack/beds.h"
 #include "rodpack/data_error.h"
 #include "rodpack/deck_folder.h"
 #include "rodpack/stability.h"
@@ -34,6 +35,14 @@ void measure_stability_into(const AccuracySettings& settings, const std::string&
   std::cout << "written: " << folder << "/stability.csv, .png, .svg, stability_scenes.csv\n";
 }
 
+/// Returns the section of accuracy.md.
+std::string measure_beds_into(const AccuracySettings& settings, const std::string& folder) {
+  const auto rows = measure_beds(settings, folder, std::cout);
+  draw_beds(rows, settings.bed_methods, BedScene().rods(), folder);
+  std::cout << "written: " << folder << "/beds.csv, beds_*.png .svg\n";
+  return beds_section(rows, settings);
+}
+
 bool wanted(const AccuracySettings& settings, const char* scene) {
   return std::find(settings.scenes.begin(), settings.scenes.end(), scene) != settings.scenes.end();
 }
@@ -48,7 +57,7 @@ void add_accuracy(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   auto& settings = options->settings;
-  settings.scenes.push_back(settling_scene);
+  settings.scenes.push_back(beds_scene);
   settings.scenes.push_back(stability_scene);
   auto* command = app.add_subcommand(
       "accuracy",
@@ -57,7 +66,8 @@ void add_accuracy(CLI::App& app) {
   command->footer(
       "Example:\n"
       "  rodpack accuracy results/accuracy --methods builtin,ab3\n"
-      "writes accuracy.csv, accuracy.md and two figures per scene, .png/.svg.");
+      "writes accuracy.csv, accuracy.md and two figures per scene, .png/.svg; beds (which model a "
+      "settled bed needs): beds.csv and three figures.");
   command->add_option("OUT", options->out, "folder of the results")->required();
   command
       ->add_option("--liggghts", settings.liggghts.program,
@@ -77,14 +87,15 @@ void add_accuracy(CLI::App& app) {
                                   "scenes [default: " + names(settings.scenes) + "]")
                      ->delimiter(',')
                      ->type_name("LIST");
-  command
-      ->add_option(
-          "--methods", settings.methods,
-          "builtin: fix multisphere; abN: fix multisphere/ab order N events no; abNe: with "
-          "events yes [default: " +
-              names(accuracy_method_names()) + "]")
-      ->delimiter(',')
-      ->type_name("LIST");
+  auto* methods =
+      command
+          ->add_option(
+              "--methods", settings.methods,
+              "builtin: fix multisphere; abN: fix multisphere/ab order N events no; abNe: with "
+              "events yes [default: " +
+                  names(accuracy_method_names()) + "; beds: " + names(settings.bed_methods) + "]")
+          ->delimiter(',')
+          ->type_name("LIST");
   auto* steps = command
                     ->add_option("--steps", settings.steps,
                                  "time steps per contact, each at least 3 [default: 12 from 10.37 "
@@ -96,24 +107,25 @@ void add_accuracy(CLI::App& app) {
                                    "timed runs per scene and method [default: 5]")
                       ->check(CLI::Range(1, 1000))
                       ->type_name("N");
-  command->add_option("--seeds", settings.seeds, "runs of the settling rods per method and step")
+  command->add_option("--seeds", settings.seeds, "beds per model")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str()
       ->type_name("N");
   command->add_flag("--quick", options->quick,
                     "five scenes, three steps, one timed run: below a minute");
 
-  command->callback([options, scenes, steps, repeats] {
+  command->callback([options, scenes, methods, steps, repeats] {
     auto& s = options->settings;
     if (options->quick) {
       if (scenes->count() == 0) s.scenes = quick_scenes;
       if (repeats->count() == 0) s.repeats = 1;
       s.timed_steps = 4000;
     }
+    if (methods->count() > 0) s.bed_methods = s.methods;
     if (steps->count() == 0) s.steps = options->quick ? quick_steps : all_steps;
     try {
       for (const auto& name : s.scenes)
-        if (name != settling_scene && name != stability_scene) accuracy_scene(name);
+        if (name != beds_scene && name != stability_scene) accuracy_scene(name);
       for (const auto& name : s.methods) accuracy_method(name);
     } catch (const DataError& error) {
       throw CLI::ValidationError(error.what());
@@ -124,9 +136,9 @@ void add_accuracy(CLI::App& app) {
                                    ", expected 3 to 1e5 steps per contact");
     if (s.liggghts.program.empty()) s.liggghts.program = liggghts_beside_this_program();
     const auto rows = measure_accuracy(s, options->out, std::cout);
-    std::vector<SettlingRow> settling;
-    if (wanted(s, settling_scene)) settling = measure_settling(s, options->out, std::cout);
-    report_accuracy(rows, settling, s, options->out);
+    std::string beds;
+    if (wanted(s, beds_scene)) beds = measure_beds_into(s, options->out);
+    report_accuracy(rows, beds, s, options->out);
     std::cout << "written: " << options->out << "/accuracy.csv, accuracy.md, *_evaluations and "
               << "*_seconds .png .svg\n";
     if (wanted(s, stability_scene)) measure_stability_into(s, options->out);

@@ -42,7 +42,7 @@ bool has_rows(const std::string& file) {
 void claim_folder(const std::string& folder, const AccuracySettings& settings) {
   const std::string file = folder + "/settings.json";
   const auto wanted = common(settings);
-  if (!has_rows(folder + "/accuracy.csv") && !has_rows(folder + "/settling.csv")) {
+  if (!has_rows(folder + "/accuracy.csv") && !has_rows(folder + "/beds.csv")) {
     fs::create_directories(folder);
     write_text(file, wanted.dump(2) + "\n");
     return;
@@ -96,7 +96,7 @@ std::string run_accuracy_deck(const AccuracySettings& settings, const std::strin
   // runs have another working folder
   if (fs::exists(liggghts.program)) liggghts.program = fs::absolute(liggghts.program).string();
   const std::string work = folder + "/work";
-  for (const char* left : {"/end.dump", "/energies.txt"}) fs::remove(work + left);
+  for (const char* left : {"/end.dump", "/contacts.dump", "/energies.txt"}) fs::remove(work + left);
   return run_deck(liggghts, find_deck("accuracy/" + deck, settings.inputs), variables, work);
 }
 

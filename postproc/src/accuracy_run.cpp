@@ -102,7 +102,7 @@ std::vector<AccuracyRow> measure_accuracy(const AccuracySettings& settings,
   const auto known = read_rows(file);
   std::vector<AccuracyRow> rows;
   for (const auto& scene_name : settings.scenes) {
-    if (scene_name == settling_scene || scene_name == stability_scene) continue;
+    if (scene_name == beds_scene || scene_name == stability_scene) continue;
     const auto scene = accuracy_scene(scene_name);
     for (const auto& method_name : settings.methods) {
       const auto method = accuracy_method(method_name);

@@ -130,6 +130,7 @@ TEST(ContactErrors, Halt) {
   expect_error(halt("10 v_one < 1 start -1"), {}, "start is -1");
   expect_error(halt("10 v_one < 1 start"), {}, "start needs a value");
   expect_error(halt("10 v_one < 1 message maybe"), {}, "message is maybe");
+  expect_error(halt("10 v_one < 1 hold -1"), {}, "hold is -1");
   expect_error(halt("10 v_one < 1 after 5"), {}, "unknown keyword after");
 }
 

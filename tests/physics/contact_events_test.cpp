@@ -88,7 +88,7 @@ TEST(ContactEvents, CollisionsAreOfThirdOrder) {
     const auto with = measured(scene, "ab3e"), without = measured(scene, "ab3");
     ASSERT_TRUE(with.order && with.paper_error && without.paper_error) << scene;
     EXPECT_GT(*with.order, 2.8) << scene;
-    EXPECT_LT(*with.order, 3.4) << scene;
+    EXPECT_LT(*with.order, 3.7) << scene;  // at eta = 0.5 terms of two orders cancel in part
     EXPECT_LT(*with.paper_error * factor, *without.paper_error) << scene;
   }
 }
@@ -141,16 +141,88 @@ TEST(ContactEvents, ObliqueStickingCollisionIsOfThirdOrder) {
   }
 }
 
-// What one body of a contact gains, the other loses.
-TEST(ContactEvents, MomentumIsConservedToRounding) {
-  const Table end =
-      end_of("accuracy/in.collision",
-             {{"offset", "1e-3"}, {"spin", "150"}, {"integrator", with_events}, {"pairs", "8"}});
-  for (std::size_t i = 0; i < end.rows(); i += 2)
-    for (const char* v : {"vx", "vy"}) {
-      EXPECT_GT(std::fabs(end.column(v)[i]), 1e-3);
-      EXPECT_NEAR(end.column(v)[i] + end.column(v)[i + 1], 0, 1e-14);
+// Other forces act at the time of touch (here 50 times gravity), so that the closing speed is not
+// constant: what is guessed of the force's slope at touch is made good one step later. Without
+// friction, so that touch and end are the only events; the dashpot along the contact is there.
+TEST(ContactEvents, TouchUnderOtherForcesIsOfThirdOrder) {
+  const double time = 1.6e-3;
+  const auto end = [&](int steps) {
+    return end_of("accuracy/in.rods", {{"integrator", with_events},
+                                       {"dt", exact(time / steps)},
+                                       {"steps", std::to_string(steps)},
+                                       {"rods", "4"},
+                                       {"height", "0.00724"},
+                                       {"shift", "3.1e-7"},
+                                       {"gravity", "500"},
+                                       {"mu", "0"}});
+  };
+  const Table reference = end(120 * 64);
+  const auto error = [&](int steps) {
+    const Table found = end(steps);
+    double sum = 0;
+    for (std::size_t i = 0; i < found.rows(); ++i)
+      for (const auto& [name, scale] : {std::pair("vy", 1.0), std::pair("omegaz", 5e-3)})
+        sum += std::pow(scale * (found.column(name)[i] - reference.column(name)[i]), 2);
+    return std::sqrt(sum / found.rows());
+  };
+  const double coarse = error(120), fine = error(480);
+  EXPECT_GT(observed_order(coarse, fine, 4), 2.8);
+  EXPECT_LT(coarse, 2e-5);
+  for (const double vx : reference.column("vx")) EXPECT_EQ(vx, 0);  // no friction
+}
+
+// What one body of a contact gains, the other loses, whatever their masses and whichever rank owns
+// them: with two ranks each pair collides across their border.
+TEST(ContactEvents, MomentumIsConservedToRoundingOnAnyRanks) {
+  std::string deck =
+      changed_deck("accuracy/in.collision", "processors      1 1 1", "processors * 1 1");
+  const auto replace = [&deck](const std::string& from, const std::string& to) {
+    const auto at = deck.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    deck.replace(at, from.size(), to);
+  };
+  replace("fix             mix all",
+          "fix heavy all particletemplate/multisphere/spherocylinder 1 atom_type 1 type 2 "
+          "aspect_ratio 1 diameter 0.004 surface smooth density constant 2500 planar yes\n"
+          "fix other all particledistribution/discrete 15485867 1 heavy 1.0\n"
+          "fix             mix all");
+  replace("fix             right${p} all insert/pack seed 32452843 distributiontemplate mix",
+          "fix right${p} all insert/pack seed 32452843 distributiontemplate other");
+  for (const int ranks : {1, 2}) {
+    const Table end = end_of(deck,
+                             {{"offset", "1e-3"},
+                              {"spin", "150"},
+                              {"distance", "3.6e-3"},
+                              {"integrator", with_events},
+                              {"pairs", "6"}},
+                             ranks);
+    const auto& mass = end.column("mass");
+    const double before = 0.5 * (mass[0] - mass[1]);
+    EXPECT_GT(std::fabs(before), 0.2 * mass[0]);
+    for (std::size_t i = 0; i < end.rows(); i += 2) {
+      const auto &vx = end.column("vx"), &vy = end.column("vy");
+      EXPECT_GT(std::fabs(vy[i]), 1e-3);  // it has collided
+      EXPECT_NEAR((mass[i] * vx[i] + mass[i + 1] * vx[i + 1]) / before, 1, 1e-13) << ranks;
+      EXPECT_NEAR((mass[i] * vy[i] + mass[i + 1] * vy[i + 1]) / before, 0, 1e-13) << ranks;
     }
+  }
+}
+
+// A run may end on any step, that of an event too: ghosts are made anew when the next one is set
+// up.
+TEST(ContactEvents, RunsOfOneStepAgreeWithOneLongRunOnTwoRanks) {
+  std::string deck =
+      changed_deck("accuracy/in.collision", "processors      1 1 1", "processors * 1 1");
+  const std::string in_one = deck;
+  const auto at = deck.find("run             ${steps}");
+  ASSERT_NE(at, std::string::npos);
+  deck.replace(at, std::string("run             ${steps}").size(),
+               "variable stretch loop 70\nlabel again\nrun 1\nnext stretch\njump SELF again");
+  const Vars vars = {
+      {"offset", "1e-3"}, {"integrator", with_events}, {"pairs", "4"}, {"steps", "70"}};
+  const Table long_run = end_of(in_one, vars, 2), short_runs = end_of(deck, vars, 2);
+  for (const char* name : {"x", "y", "vx", "vy", "omegaz"})
+    EXPECT_LT(difference(long_run, short_runs, name), 1e-10) << name;
 }
 
 // Planar motion is a special case of motion in space, and takes another path through the code.

@@ -145,7 +145,7 @@ TEST(StressGoldhirsch, BalancesHoldUpToTheWallsTheBetterTheMoreTheBedIsAtRest) {
   };
   const GridFields falling = at("30000"), landed = at("50000"), rest = at("80000");
   EXPECT_GT(falling.momentum_residual(), 0.1);  // they fall: rho g is not balanced
-  EXPECT_LT(landed.momentum_residual(), 0.1);
+  EXPECT_LT(landed.momentum_residual(), falling.momentum_residual());  // some may still roll
   EXPECT_LT(rest.momentum_residual(), 0.01 * landed.momentum_residual());
   EXPECT_LT(rest.momentum_residual(), 1e-4);
   EXPECT_LT(rest.spin_residual(), 1e-4);

@@ -213,17 +213,6 @@ TEST(AccuracySummary, CostNeedsErrorsThatStayBelow) {
   EXPECT_FALSE(after_a_blow_up.at_once);
 }
 
-// Standard error of two values: half their difference. A run that lost a rod does not count.
-TEST(AccuracySummary, SettlingIsToldByMeansOverSeeds) {
-  const auto table = settling_table({{"ab3", 37.96, 1, 50, 1e-9, 1e-6, 5, 0.8},
-                                     {"ab3", 37.96, 2, 50, 1e-11, 2e-6, 6, 0.7},
-                                     {"ab3", 37.96, 3, 49, 1e-10, 5e-6, 9, 0.1},
-                                     {"ab1", 10.37, 1, 0, 0, 0, 0, 0}});
-  EXPECT_THAT(table, HasSubstr("| 37.96 | ab3 | 2 | 1 | -10 ± 1 | 1.5 ± 0.5 | 5.5 ± 0.5 | "
-                               "0.75 ± 0.05 |"));
-  EXPECT_THAT(table, HasSubstr("| 10.37 | ab1 | 0 | 50 | – |"));
-}
-
 TEST(AccuracyScene, NamesThatAreNoneAreRefused) {
   try {
     accuracy_scene("collision_7");

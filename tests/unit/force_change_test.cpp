@@ -60,9 +60,16 @@ TEST(ForceChange, TorqueFollowsAMovingLever) {
     EXPECT_NEAR(torque.now[d], at(d, 0), 1e-15);
     EXPECT_NEAR(torque.rate[d], (at(d, 1e-6) - at(d, -1e-6)) / 2e-6, 1e-8);
     EXPECT_NEAR(torque.impulse[d], integral([&](double t) { return at(d, t); }, -since, 0), 1e-15);
-    // to leading order in the time since the event
-    EXPECT_NEAR(torque.sweep[d], integral([&](double t) { return -t * at(d, t); }, -since, 0),
-                1e-3);
+  }
+  // The sweep is to leading order in the time since the event: exact for a lever at rest.
+  const double at_rest[3] = {0, 0, 0};
+  const ForceChange still = torque_change(lever, at_rest, linear_change(now, rate, since));
+  for (int d = 0; d < 3; ++d) {
+    const int e = (d + 1) % 3, f = (d + 2) % 3;
+    const auto moment = [&](double t) {
+      return -t * (lever[e] * linear(f, t) - lever[f] * linear(e, t));
+    };
+    EXPECT_NEAR(still.sweep[d], integral(moment, -since, 0), 1e-15);
   }
 }
 

@@ -72,7 +72,9 @@ TEST(FrictionStep, SticksFromTheMomentOfStandstill) {
   EXPECT_NEAR(f.since, 0.4e-3, 1e-12);
   EXPECT_NEAR(spring[0], 0.98 / 100 - 8e-7, 3e-7);
   EXPECT_NEAR(f.force[0], -(100 * spring[0] + 2 * v(0.4e-3)), 1e-15);
-  EXPECT_DOUBLE_EQ(f.former[0], -1);
+  EXPECT_NEAR(f.gain[0], f.force[0] + 1, 1e-15);  // the slide would go on with -1 N
+  // -(k v + c dv/dt), and the cap's -50 N/s no more
+  EXPECT_NEAR(f.gain_rate[0], -100 * v(0.4e-3) - 2 * (v(0.4e-3) - v(-0.6e-3)) / 1e-3 + 50, 1e-9);
 }
 
 // The force grows from 0.90 N under a cap of 0.95 N to 1.04 N, beyond the cap of 1 N: it crossed
@@ -86,8 +88,9 @@ TEST(FrictionStep, FindsTheMomentAtWhichTheCapIsReached) {
   EXPECT_TRUE(f.slides);
   EXPECT_TRUE(f.changed);
   EXPECT_NEAR(f.since, 1e-3 * 0.04 / 0.09, 1e-15);
-  EXPECT_NEAR(f.former[0], -1.04, 1e-15);
   EXPECT_NEAR(f.force[0], -1, 1e-15);
+  EXPECT_NEAR(f.gain[0], 0.04, 1e-15);
+  EXPECT_NEAR(f.gain_rate[0], 0.09 / 1e-3, 1e-9);  // from nothing at the change
 }
 
 // A cap that falls below the force while the spring moves the surfaces (velocity along the force):
@@ -107,6 +110,25 @@ TEST(FrictionStep, LosesTheExcessOfTheSpringWhereTheCapFalls) {
   EXPECT_NEAR(f.since, since, 1e-12);
   EXPECT_NEAR(spring[0], (1 + 60 * since) / 100 - 0.05 * since, 1e-12);
   EXPECT_NEAR(f.force[0], -(100 * spring[0] - 2 * 0.05), 1e-12);
+}
+
+// In space the surface may move across the force when it stands along it: the dashpot of that
+// motion acts at once, whenever the change was, and its rate has to stay bounded.
+TEST(FrictionStep, AVelocityAcrossTheForceMakesItJump) {
+  for (const double now : {5e-3, 1e-4, 1e-6, 1e-8}) {
+    FrictionStep step = contact();
+    step.slid = true;
+    step.spring_before[0] = 9.5e-3;
+    set_velocities(step, -now, 0.01 - now, 0.02 - now);
+    for (auto& velocity : step.velocity) velocity[1] = 0.05;
+    double spring[3] = {9.5e-3, 0, 0};
+    const FrictionForce f = friction_force(step, spring);
+    EXPECT_TRUE(f.changed && f.jumps && !f.slides);
+    EXPECT_NEAR(f.since, 1e-3 * now / 0.01, 1e-9);
+    // the cap leaves sqrt(1 - 0.1^2) of it
+    EXPECT_NEAR(f.gain[1] / (-2 * 0.05 - 100 * 0.05 * f.since), 1, 0.01);
+    EXPECT_NEAR(f.gain_rate[1], -100 * 0.05, 1e-9);
+  }
 }
 
 // Whatever the law does, the force stays under the cap.

@@ -63,7 +63,7 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   Saved lane_state;
   save_lane(pool, place, lane, lane_state);
   // The history in space, already turned into the present plane of contact.
-  double values[3 * (max_multistep_order + 1) + 3] = {};
+  double values[3 * (max_multistep_order + 1) + 6] = {};
   const TangentialHistory history{values, slots};
   const auto along = [&](double component, double* vector) {
     vector[0] = -component * contact.en[1];
@@ -75,6 +75,9 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   history.count() = !alive ? 0.0 : lane_state.sliding ? -lane_state.count : lane_state.count;
   history.step() = now - 1.0;
   history.since() = lane_state.since;
+  history.constants()[0] = block.friction;
+  history.constants()[1] = block.kt;
+  history.constants()[2] = block.gamma_t;
   NormalHistory normal_history = {lane_state.uncut, lane_state.touch_rate,
                                   lane_state.fresh ? 1.0 : 0.0, now};
   PlanarEvents* const followed = follows ? &events : nullptr;

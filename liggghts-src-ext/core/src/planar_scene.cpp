@@ -335,6 +335,10 @@ std::vector<PlanarContactState> PlanarScene::contacts() const {
         state.uncut = saved.uncut;
         state.touch_rate = saved.touch_rate;
         state.fresh = saved.fresh;
+        const PlanarBlock& block = pool->blocks[place];
+        state.constants[0] = block.friction;
+        state.constants[1] = block.kt;
+        state.constants[2] = block.gamma_t;
         result.push_back(state);
       }
   return result;

@@ -49,14 +49,15 @@ struct AccuracyScene {
   /// Every -var of a run.
   DeckVariables variables_for(const AccuracyMethod& method, double dt, long steps) const;
 };
-/// Name of the scene whose trajectories are chaotic, so that only means can be compared.
-constexpr const char* settling_scene = "settling";
+/// Name of the scene whose trajectories are chaotic, so that only means can be compared: beds of
+/// rods (rodpack/beds.h).
+constexpr const char* beds_scene = "beds";
 /// Name under which the limits of stability (rodpack/stability.h) are asked for.
 constexpr const char* stability_scene = "stability";
 
 /// With its reference, which takes up to a second. @throws DataError naming those there are.
 AccuracyScene accuracy_scene(const std::string& name);
-/// All with a known end, that is without `settling_scene`.
+/// All with a known end, that is without `beds_scene`.
 const std::vector<std::string>& accuracy_scene_names();
 
 struct AccuracyRow {
@@ -76,7 +77,8 @@ struct AccuracySettings {
   std::vector<double> steps;  // per contact
   int repeats = 5;            // of timed runs
   long timed_steps = 20000;
-  int seeds = 8;  // of the settling rods
+  int seeds = 8;                                                      // of the beds
+  std::vector<std::string> bed_methods = {"builtin", "ab3", "ab3e"};  // whose step varies
 };
 
 /// Runs what is missing in `folder`/accuracy.csv, appends it there row by row, and returns all rows
@@ -84,21 +86,6 @@ struct AccuracySettings {
 /// the folder holds rows of other settings, or a run fails.
 std::vector<AccuracyRow> measure_accuracy(const AccuracySettings& settings,
                                           const std::string& folder, std::ostream& progress);
-
-/// 50 rods that have settled (inputs/accuracy/in.settling). Energies in J.
-struct SettlingRow {
-  std::string method;
-  double steps_per_contact;
-  int seed, rods;  // rods: still in the container
-  double kinetic, elastic;
-  double height;          // mean of the centres, in d_p
-  double solid_fraction;  // area of the rods centred below the mean height, over the area there
-};
-/// As measure_accuracy, in `folder`/settling.csv.
-std::vector<SettlingRow> measure_settling(const AccuracySettings& settings,
-                                          const std::string& folder, std::ostream& progress);
-/// Means over the seeds with standard errors, as a Markdown table.
-std::string settling_table(const std::vector<SettlingRow>& rows);
 
 /// What the rows of one scene and method tell.
 struct AccuracySummary {
@@ -120,8 +107,9 @@ std::optional<double> observed_order(const std::vector<double>& steps,
                                      const std::vector<double>& errors, double asymptotic_from = 25,
                                      double floor = 1e-9);
 
-/// accuracy.md and the figures `scene`_evaluations and `scene`_seconds (.png, .svg) in `folder`.
-void report_accuracy(const std::vector<AccuracyRow>& rows, const std::vector<SettlingRow>& settling,
+/// accuracy.md, which ends with the section `beds`, and the figures `scene`_evaluations and
+/// `scene`_seconds (.png, .svg) in `folder`.
+void report_accuracy(const std::vector<AccuracyRow>& rows, const std::string& beds,
                      const AccuracySettings& settings, const std::string& folder);
 
 }  // namespace rodpack

@@ -18,6 +18,13 @@ struct MotionChange {
   double acceleration[3], velocity[3], displacement[3];
 };
 
+/// Whether a contact that is evaluated for the first time can have begun within the step `dt`; not
+/// when it was made with an overlap, or handed on by a neighbouring triangle of a mesh.
+template <class Contact>
+inline bool touched_in_step(const Contact& contact, double dt) {
+  return contact.vn < 0.0 && contact.deltan < -1.5 * dt * contact.vn;
+}
+
 /// Rate at which the normal of a contact turns, 1/s; that of a wall does not.
 template <class Contact>
 inline void normal_turning_rate(const Contact& contact, double (&rate)[3]) {

@@ -31,10 +31,11 @@ struct FrictionStep {
 struct FrictionForce {
   double force[3];  // on i, N
   bool slides;
-  // The change of branch in this step, if there was one: when, and the force of the branch before.
+  // The change of branch in this step, if there was one.
   bool changed, jumps;  // jumps: the force did not go on continuously
   double since;         // s
-  double former[3];     // N
+  double gain[3];       // over the force if the branch before had gone on, N
+  double gain_rate[3];  // N/s
 };
 
 namespace detail {
@@ -68,6 +69,13 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
     for (int d = 0; d < 3; ++d)
       result.force[d] = -(step.stiffness * spring[d] + step.damping * step.velocity[0][d]);
   };
+  // by which the force was beyond the cap one step ago
+  const auto excess_before = [&] {
+    double before[3];
+    for (int d = 0; d < 3; ++d)
+      before[d] = -(step.stiffness * step.spring_before[d] + step.damping * step.velocity[1][d]);
+    return std::sqrt(detail::along(before, before)) - (cap - step.dt * step.cap_rate);
+  };
   if (!step.slid && trial <= cap) {
     stick();
     return result;
@@ -86,33 +94,28 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
     for (int d = 0; d < 3; ++d) {
       result.force[d] = trial > 0.0 ? cap / trial * stuck[d] : 0.0;
       spring[d] = -result.force[d] / step.stiffness;
-      result.former[d] = stuck[d];
     }
     if (step.slid) return result;
-    double before[3];
-    for (int d = 0; d < 3; ++d)
-      before[d] = -(step.stiffness * step.spring_before[d] + step.damping * step.velocity[1][d]);
-    const double below = std::sqrt(detail::along(before, before)) - (cap - step.dt * step.cap_rate);
-    result.changed = below < 0.0 && trial > cap;
-    result.since = result.changed ? time_since_zero(below, trial - cap, step.dt) : 0.0;
+    const double below = excess_before(), beyond = trial - cap;
+    result.changed = below < 0.0 && beyond > 0.0;
+    if (!result.changed) return result;
+    result.since = time_since_zero(below, beyond, step.dt);
+    for (int d = 0; d < 3; ++d) {
+      result.gain[d] = -beyond / trial * stuck[d];
+      result.gain_rate[d] = -(beyond - below) / step.dt / trial * stuck[d];
+    }
     return result;
   }
 
   // Sticks, with the spring that carried the cap at the moment of the change, and what the surfaces
-  // have moved since. `former`: as if the branch before had gone on.
+  // have moved since.
   result.changed = true;
-  if (step.slid && slip[1] < 0.0) {
+  const bool stands = step.slid && slip[1] < 0.0;
+  if (stands) {
     result.since = detail::time_since_standstill(slip, step.known, step.dt);
-    for (int d = 0; d < 3; ++d) result.former[d] = cap * direction[d];
   } else {
-    double before[3];
-    for (int d = 0; d < 3; ++d) {
-      before[d] = -(step.stiffness * step.spring_before[d] + step.damping * step.velocity[1][d]);
-      result.former[d] = stuck[d];
-    }
-    const double below = std::sqrt(detail::along(before, before)) - (cap - step.dt * step.cap_rate);
+    const double below = excess_before();
     result.since = below < 0.0 ? time_since_zero(below, trial - cap, step.dt) : 0.0;
-    result.jumps = true;
   }
   const double at_change = std::max(0.0, step.cap - result.since * step.cap_rate);
   const double share = result.since / step.dt;
@@ -128,6 +131,20 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
       spring[d] = -cap / step.stiffness * direction[d];
       result.force[d] = cap / strength * result.force[d];
     }
+
+  // Cut off, the spring is short by the same length ever after. At a standstill the force goes on
+  // from the cap, but for the dashpot of a velocity across it, in space.
+  double across = 0.0;
+  for (int d = 0; d < 3; ++d) {
+    const double v = step.velocity[0][d];
+    across = std::max(across, std::fabs(v - slip[0] * direction[d]));
+    result.gain[d] = result.force[d] - (stands ? cap * direction[d] : stuck[d]);
+    result.gain_rate[d] = stands ? -step.stiffness * v -
+                                       step.damping * (v - step.velocity[1][d]) / step.dt -
+                                       step.cap_rate * direction[d]
+                                 : 0.0;
+  }
+  result.jumps = !stands || across > 1e-9 * std::fabs(slip[0]);
   return result;
 }
 

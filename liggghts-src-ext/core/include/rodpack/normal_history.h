@@ -39,20 +39,18 @@ void change_along_normal(const Contact& contact, double force, double rate, doub
   events.add(contact, now, growing, since, jumps);
 }
 
-/// The force before the cut has changed sign within the step.
+/// The force before the cut has changed sign within the step; `before`: one step ago.
 template <class Contact, class Events>
-void cross_zero(const Contact& contact, const NormalHistory& history, double uncut, double dt,
-                Events& events) {
+void cross_zero(const Contact& contact, double before, double uncut, double dt, Events& events) {
   const double sign = uncut > 0.0 ? 1.0 : -1.0;
-  const double since = time_since_zero(history.uncut, uncut, dt);
-  change_along_normal(contact, sign * uncut, sign * (uncut - history.uncut) / dt, since, false,
-                      events);
+  const double since = time_since_zero(before, uncut, dt);
+  change_along_normal(contact, sign * uncut, sign * (uncut - before) / dt, since, false, events);
 }
 
 template <class Contact, class Events>
 void touch(const Contact& contact, NormalHistory& history, double uncut, double dt,
            Events* events) {
-  if (contact.vn >= 0.0) return;
+  if (!touched_in_step(contact, dt)) return;
   // The closing speed is taken as constant since touch; that gives the impulse of the dashpot
   // exactly, and what it misses of the rate is made good in the next step.
   const double since = std::min(dt, -contact.deltan / contact.vn);
@@ -65,9 +63,13 @@ void touch(const Contact& contact, NormalHistory& history, double uncut, double 
 template <class Contact, class Events>
 void go_on(const Contact& contact, const NormalHistory& history, double uncut, bool was_fresh,
            double dt, Events& events) {
-  if ((uncut > 0.0) != (history.uncut > 0.0)) cross_zero(contact, history, uncut, dt, events);
   MotionChange change;
-  if (!(uncut > 0.0) || !events.motion_changed(contact, change)) return;
+  const bool moved = events.motion_changed(contact, change);
+  // The dashpot of the last evaluation did not know of it.
+  const double before =
+      history.uncut - (moved ? contact.gamman * dot(change.velocity, contact.en) : 0.0);
+  if ((uncut > 0.0) != (before > 0.0)) cross_zero(contact, before, uncut, dt, events);
+  if (!moved || !(uncut > 0.0)) return;
   double parts[3][3];
   const double* const in_full[3] = {change.acceleration, change.velocity, change.displacement};
   double normal[3];
@@ -79,9 +81,8 @@ void go_on(const Contact& contact, const NormalHistory& history, double uncut, b
   if (!was_fresh) return;
   // Two evaluations after touch give the rate that was guessed at touch. What was missed has been
   // felt by other contacts of the bodies, hence `jumps`.
-  const double at_touch = history.uncut - contact.gamman * normal[1];
   const double applied = history.touch_rate - contact.gamman * normal[0];
-  const double missed = (uncut - at_touch) / dt - applied;
+  const double missed = (uncut - before) / dt - applied;
   change_along_normal(contact, missed * dt, missed, dt, true, events);
 }
 
@@ -108,7 +109,8 @@ void end_normal_force(const Contact& contact, const NormalHistory& history, doub
                       Events& events) {
   const double uncut = contact.kn * contact.deltan - contact.gamman * contact.vn;
   // A force that was cut off before has had its event.
-  if (history.uncut > 0.0 && uncut < 0.0) detail::cross_zero(contact, history, uncut, dt, events);
+  if (history.uncut > 0.0 && uncut < 0.0)
+    detail::cross_zero(contact, history.uncut, uncut, dt, events);
 }
 
 }  // namespace rodpack

@@ -21,7 +21,7 @@ struct alignas(64) PlanarBlock {
   double radius_i, radius_j;
   // of the contact; friction: mu k_n, N/m; inverse_kt: 1 / kt
   double kn, kt, inverse_kt, gamma_n, gamma_t, friction;
-  std::int32_t i, j;                          // bodies; j = -1 - wall
+  std::int32_t i, j;  // bodies; j = -1 - wall
   std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
   std::uint8_t used, alive, mature, sliding;  // bit per lane; mature: its history is full
 };

@@ -29,9 +29,9 @@ struct PlanarWall {
 
 struct PlanarSettings {
   double dt;
-  int order = 3;       // 1..4
-  /// Tangential velocities that a contact remembers, order .. 4: multistepOrder of the styles, whose
-  /// friction looks back up to three steps where there are so many.
+  int order = 3;  // 1..4
+  /// Tangential velocities that a contact remembers, order .. 4: multistepOrder of the styles,
+  /// whose friction looks back up to three steps where there are so many.
   int remembered = 3;
   bool events = true;  // follow the events of contacts (force_change.h); ignored at order 1
   double gravity[2] = {0.0, 0.0};
@@ -85,6 +85,7 @@ struct PlanarContactState {
   double since;              // time from touch to the end of its step, s
   double uncut, touch_rate;  // as in NormalHistory
   bool fresh;
+  double constants[3];  // mu k_n (N/m), k_t (N/m), tangential dashpot (kg/s); those of contacts()
 };
 
 class PlanarScene {

@@ -25,12 +25,13 @@ struct TangentialHistory {
   double* values;
   int slots;
 
-  static int size(int slots) { return 3 * (slots + 1) + 3; }
+  static int size(int slots) { return 3 * (slots + 1) + 6; }
   double* spring() const { return values; }
   double* velocity(int k) const { return values + 3 * (k + 1); }
   double& count() const { return values[3 * (slots + 1)]; }
   double& step() const { return values[3 * (slots + 1) + 1]; }
   double& since() const { return values[3 * (slots + 1) + 2]; }
+  double* constants() const { return values + 3 * (slots + 1) + 3; }
   void clear() const { std::fill_n(values, size(slots), 0.0); }
 };
 
@@ -134,6 +135,7 @@ TangentialPast advance_spring(const Contact& contact, const TangentialHistory& h
   history.step() = step.now;
   if (!past.alive) {
     past.since = history.since() = detail::start_spring(contact, dt, spring);
+    if (!touched_in_step(contact, dt)) past.since = history.since() = 0.0;
     std::fill_n(newest, 3 * history.slots, 0.0);
     std::copy(velocity, velocity + 3, newest);
     history.count() = 1.0;
@@ -209,8 +211,8 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
                      const double (&force)[3], bool sliding, double dt, Events& events) {
   if (past.alive && !law.changed && (sliding || past.sliding || !past.moved)) return;
   const double kt = contact.kt, gamma = contact.gammat;
-  double now[3], rate[3];
   if (!past.alive) {
+    double rate[3];
     if (!(past.since > 0.0)) return;
     const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
     for (int d = 0; d < 3; ++d) rate[d] = sliding ? force[d] / past.since : -kt * velocity[d];
@@ -218,12 +220,7 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
     return;
   }
   if (law.changed) {
-    if (!(law.since > 0.0)) return;
-    for (int d = 0; d < 3; ++d) {
-      now[d] = force[d] - law.former[d];
-      rate[d] = law.jumps ? 0.0 : now[d] / law.since;
-    }
-    events.add(contact, now, rate, law.since, law.jumps);
+    if (law.since > 0.0) events.add(contact, law.gain, law.gain_rate, law.since, law.jumps);
     return;
   }
   const MotionChange& change = past.change;
@@ -285,6 +282,9 @@ TangentialForce tangential_contact_force(const Contact& contact, const Tangentia
   if (renewed) {
     std::copy(spring, spring + 3, history.spring());
     if (sliding) history.count() = -history.count();
+    history.constants()[0] = friction;
+    history.constants()[1] = contact.kt;
+    history.constants()[2] = contact.gammat;
     if (reports) report_friction(contact, past, law, force, sliding, step.dt, *reports);
   }
   result.sliding = sliding;
@@ -296,17 +296,21 @@ TangentialForce tangential_contact_force(const Contact& contact, const Tangentia
 template <class Contact, class Events>
 void end_tangential_force(const Contact& contact, const TangentialHistory& history,
                           const TangentialStep& step, Events& events) {
-  const double dt = step.dt, kt = contact.kt, gamma = contact.gammat;
+  const double dt = step.dt, friction = history.constants()[0], kt = history.constants()[1];
+  const double gamma = history.constants()[2];
   if (!(contact.vn > 0.0)) return;
   const double since = std::min(dt, -contact.deltan / contact.vn);
   double now[3], rate[3];
   if (history.count() < 0.0) {
-    // A sliding contact's force has fallen to zero with the cap, in proportion to the overlap.
-    if (!(dt - since > 1e-6 * dt)) return;
-    detail::turn_with_contact(contact.en, history.spring());
+    // A sliding contact's force has fallen to zero with the cap, which would go on below it.
+    double* const spring = history.spring();
+    detail::turn_with_contact(contact.en, spring);
+    const double length = std::sqrt(dot(spring, spring));
+    if (!(length > 0.0)) return;
     for (int d = 0; d < 3; ++d) {
-      rate[d] = -kt * history.spring()[d] / (dt - since);
-      now[d] = rate[d] * since;
+      const double direction = -spring[d] / length;
+      now[d] = -friction * contact.deltan * direction;
+      rate[d] = friction * contact.vn * direction;
     }
     events.add(contact, now, rate, since, false);
     return;
