@@ -4,7 +4,8 @@
 # meanwhile. The packing, 2250 rods of AR = 5, is made once (some minutes).
 #
 #   tests/benchmark/run.sh     coarse graining: accuracy against time, 9000 rods (the packing four
-#                              times side by side), one core
+#                              times side by side), one core; planar engine: whole decks against the
+#                              built-in multisphere (planar_engine.sh)
 set -eu
 cd "$(dirname "$0")/../.."
 
@@ -21,3 +22,4 @@ fi
 step=$(sed 's/.*"step": \([0-9]*\).*/\1/' "$bed/result.json")
 taskset -c 1 build/bin/coarse_graining_benchmark "$bed/dumps/bodies.$step.dump" \
   "$bed/dumps/contacts.$step.dump" build/benchmark/coarse_graining --tiles 4
+tests/benchmark/planar_engine.sh build 5
