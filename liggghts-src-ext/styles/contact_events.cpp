@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "atom.h"
+#include "atom_property.h"
 #include "comm.h"
 #include "fix_multisphere.h"
 #include "fix_property_atom.h"
@@ -21,36 +21,28 @@ namespace {
 
 constexpr int force_values = 13, torque_values = 12, motion_values = 19;
 static_assert(sizeof(ForceChange) == 12 * sizeof(double) &&
-                  sizeof(ContactEvents::AtomMotion) == motion_values * sizeof(double),
+                  sizeof(ContactEvents::RigidMotion) == motion_values * sizeof(double),
               "plain doubles, stored per atom");
-
-FixPropertyAtom* add_property(Modify* modify, const char* name, int values, bool restart,
-                              const char* caller) {
-  const char* keep = restart ? "yes" : "no";
-  std::vector<std::string> words = {name,     "all", "property/atom", name,
-                                    "vector", keep,  "yes",           "yes"};
-  words.resize(words.size() + values, "0.");
-  std::vector<char*> arg;
-  for (std::string& word : words) arg.push_back(&word[0]);
-  return modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), caller);
-}
 
 }  // namespace
 
 ContactEvents* ContactEvents::armed_ = NULL;
 
 void ContactEvents::create_properties(const char* caller) {
-  force_changes_ = add_property(modify, "contact_events_force", force_values, false, caller);
-  torque_changes_ = add_property(modify, "contact_events_torque", torque_values, false, caller);
-  last_motion_ = add_property(modify, "contact_events_motion", motion_values, true, caller);
-  motion_before_ = add_property(modify, "contact_events_before", motion_values, true, caller);
+  const auto add = [&](const char* name, int values, const char* restart) {
+    return add_atom_property(modify, name, values, restart, "yes", "yes", caller);
+  };
+  force_changes_ = add("contact_events_force", force_values, "no");
+  torque_changes_ = add("contact_events_torque", torque_values, "no");
+  last_motion_ = add("contact_events_motion", motion_values, "yes");
+  motion_before_ = add("contact_events_before", motion_values, "yes");
 }
 
 void ContactEvents::init() {
   if (last_step_ < 0 || last_step_ == update->ntimestep) return;
   for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
-    motion(last_motion_, i) = AtomMotion();
-    motion(motion_before_, i) = AtomMotion();
+    motion(last_motion_, i) = RigidMotion();
+    motion(motion_before_, i) = RigidMotion();
   }
 }
 
@@ -71,8 +63,8 @@ ContactEvents::Changes ContactEvents::changes(int i) const {
           *reinterpret_cast<const ForceChange*>(torque_changes_->array_atom[i]), force[12]};
 }
 
-ContactEvents::AtomMotion& ContactEvents::motion(FixPropertyAtom* property, int i) const {
-  return *reinterpret_cast<AtomMotion*>(property->array_atom[i]);
+ContactEvents::RigidMotion& ContactEvents::motion(FixPropertyAtom* property, int i) const {
+  return *reinterpret_cast<RigidMotion*>(property->array_atom[i]);
 }
 
 void ContactEvents::add(const Contact& contact, const double (&now)[3], const double (&rate)[3],
@@ -94,12 +86,7 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
   const auto add_to = [&](int atom_index, double sign, double length) {
     if (atom_index >= atom->nlocal) return;  // its owner sees this contact too
     ForceChange force = on_i;
-    for (int d = 0; d < 3; ++d) {
-      force.now[d] *= sign * share;
-      force.rate[d] *= sign * share;
-      force.impulse[d] *= sign * share;
-      force.sweep[d] *= sign * share;
-    }
+    force *= sign * share;
     rodpack::contact_lever(contact, turn, length, -sign, lever, rate);
     double* const sum = force_changes_->array_atom[atom_index];
     *reinterpret_cast<ForceChange*>(sum) += force;
@@ -114,24 +101,24 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
   if (!contact.is_wall) add_to(contact.j, -1.0, contact.crj);
 }
 
-const ContactEvents::AtomMotion* ContactEvents::changed_motion(int i) const {
+const ContactEvents::RigidMotion* ContactEvents::changed_motion(int i) const {
   const double now = static_cast<double>(update->ntimestep);
   for (FixPropertyAtom* property : {last_motion_, motion_before_})
     if (motion(property, i).step == now) return &motion(property, i);
   return NULL;
 }
 
-const ContactEvents::AtomMotion* ContactEvents::motion_for_next_step(int i) const {
-  const AtomMotion& last = motion(last_motion_, i);
+const ContactEvents::RigidMotion* ContactEvents::motion_for_next_step(int i) const {
+  const RigidMotion& last = motion(last_motion_, i);
   return last.step == static_cast<double>(update->ntimestep + 1) ? &last : NULL;
 }
 
 bool ContactEvents::find_change(const Contact& contact, Motion& change) const {
-  const AtomMotion* of_i = changed_motion(contact.i);
-  const AtomMotion* of_j = contact.is_wall ? NULL : changed_motion(contact.j);
+  const RigidMotion* of_i = changed_motion(contact.i);
+  const RigidMotion* of_j = contact.is_wall ? NULL : changed_motion(contact.j);
   if (!of_i && !of_j) return false;
   change = Motion();
-  const auto add = [&](const AtomMotion& atom_motion, double sign, double length) {
+  const auto add = [&](const RigidMotion& atom_motion, double sign, double length) {
     double lever[3], moved[3];
     for (int d = 0; d < 3; ++d) lever[d] = -sign * length * contact.en[d];
     const auto surface = [&](const double* centre, const double* turn, double* sum) {
@@ -213,14 +200,14 @@ void ContactEvents::clear() {
 void ContactEvents::begin_publishing() {
   if (comm->nprocs == 1) return;  // the step in each entry says which ones count
   for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
-    AtomMotion& last = motion(last_motion_, i);
-    motion(motion_before_, i) = i < atom->nlocal ? last : AtomMotion();
-    last = AtomMotion();
+    RigidMotion& last = motion(last_motion_, i);
+    motion(motion_before_, i) = i < atom->nlocal ? last : RigidMotion();
+    last = RigidMotion();
   }
 }
 
-void ContactEvents::publish(int i, const AtomMotion& changed) {
-  AtomMotion& last = motion(last_motion_, i);
+void ContactEvents::publish(int i, const RigidMotion& changed) {
+  RigidMotion& last = motion(last_motion_, i);
   if (comm->nprocs == 1) motion(motion_before_, i) = last;
   last = changed;
   last.step = static_cast<double>(update->ntimestep + 1);

@@ -74,24 +74,25 @@ class ContactEvents : protected Pointers {
   /// Whether, on any rank, accelerations have jumped, so that the integrator has to publish.
   bool jumped() const { return any_jumped_; }
 
-  /// Change of the motion of a sphere's centre and of its rotation, as in Motion.
-  struct AtomMotion {
+  /// Change of the motion of a point of a body, the centre of a sphere or of mass, and of the
+  /// body's rotation, as in Motion.
+  struct RigidMotion {
     double acceleration[3], velocity[3], displacement[3];
     double angular_acceleration[3], angular_velocity[3], rotation[3];
     double step;  // at whose end it happened, plus 1; 0: never
   };
   /// What was published for the next step, null if nothing.
-  const AtomMotion* motion_for_next_step(int i) const;
+  const RigidMotion* motion_for_next_step(int i) const;
   /// Before publish() is called for the spheres of the bodies that this rank owns, and after.
   void begin_publishing();
-  void publish(int i, const AtomMotion& motion);
+  void publish(int i, const RigidMotion& motion);
   void end_publishing();
   /// After the neighbour lists, and with them the ghosts, were made anew.
   void renew_ghosts();
 
  private:
-  AtomMotion& motion(class FixPropertyAtom* property, int i) const;
-  const AtomMotion* changed_motion(int i) const;
+  RigidMotion& motion(class FixPropertyAtom* property, int i) const;
+  const RigidMotion* changed_motion(int i) const;
   bool find_change(const Contact& contact, Motion& change) const;
 
   static ContactEvents* armed_;

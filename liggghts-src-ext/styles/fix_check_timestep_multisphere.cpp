@@ -16,6 +16,7 @@
 #include "fix_multisphere.h"
 #include "fix_property_global.h"
 #include "fix_template_sphere.h"
+#include "gather.h"
 #include "modify.h"
 #include "particle_identity.h"
 #include "rodpack/stability_limit.h"
@@ -33,22 +34,6 @@ std::string text_of(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.4g", value);
   return buffer;
-}
-
-/// The ranks' records one after the other on rank 0, empty elsewhere; collective.
-template <class Record>
-std::vector<Record> gather_on_first(MPI_Comm world, const std::vector<Record>& own) {
-  int rank = 0, ranks = 1;
-  MPI_Comm_rank(world, &rank);
-  MPI_Comm_size(world, &ranks);
-  const int bytes = static_cast<int>(own.size() * sizeof(Record));
-  std::vector<int> sizes(ranks), starts(ranks, 0);
-  MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, world);
-  for (int k = 1; k < ranks; ++k) starts[k] = starts[k - 1] + sizes[k - 1];
-  std::vector<Record> all(rank == 0 ? (starts.back() + sizes.back()) / sizeof(Record) : 0);
-  MPI_Gatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
-              world);
-  return all;
 }
 
 }  // namespace

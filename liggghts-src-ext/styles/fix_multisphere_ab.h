@@ -84,7 +84,7 @@ class FixMultisphereAB : public FixMultisphere {
   void publish_jump(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
 
   // events of contacts
-  struct BodyMotion;
+  typedef ContactEvents::RigidMotion BodyMotion;  // of the centre of mass
   void apply_events();
   void sum_changes();
   void correct_planar(int body, const ContactEvents::Changes& sum, BodyMotion& change);

@@ -15,26 +15,12 @@
 using namespace LAMMPS_NS;
 using rodpack::ForceChange;
 
-/// By how much the motion of a body has changed: of its centre of mass and of its rotation.
-struct FixMultisphereAB::BodyMotion {
-  double acceleration[3], velocity[3], displacement[3];
-  double angular_acceleration[3], angular_velocity[3], rotation[3];
-};
-
 namespace {
 
 /// Leaves of a change what acts on the components that `on` switches on.
 void mask(const bool* on, ForceChange& change) {
   for (int d = 0; d < 3; ++d)
     if (!on[d]) change.now[d] = change.rate[d] = change.impulse[d] = change.sweep[d] = 0.0;
-}
-
-/// dq/dt = (0, turn) q / 2, with `turn` in the space frame.
-void turning_rate(const double* turn, const double* q, double* rate) {
-  rate[0] = 0.5 * (-turn[0] * q[1] - turn[1] * q[2] - turn[2] * q[3]);
-  rate[1] = 0.5 * (turn[0] * q[0] + turn[1] * q[3] - turn[2] * q[2]);
-  rate[2] = 0.5 * (turn[1] * q[0] + turn[2] * q[1] - turn[0] * q[3]);
-  rate[3] = 0.5 * (turn[2] * q[0] + turn[0] * q[2] - turn[1] * q[1]);
 }
 
 }  // namespace
@@ -144,8 +130,8 @@ void FixMultisphereAB::correct_spatial(int body, const ContactEvents::Changes& s
       momentum[d] = sum.torque.past_momentum(d, age);
     }
     rodpack::angular_velocity(q, momentum, inertia, turn);
-    turning_rate(turn, q, gain);
-    for (int d = 0; d < 4; ++d) rates.quaternion_rate[d] += gain[d];
+    MathExtra::vecquat(turn, q, gain);  // in the space frame dq/dt = (0, turn) q / 2
+    for (int d = 0; d < 4; ++d) rates.quaternion_rate[d] += 0.5 * gain[d];
   }
 }
 
@@ -184,8 +170,8 @@ void FixMultisphereAB::move_spatial(int body) {
   if (missed[3] != 0.0 || missed[4] != 0.0 || missed[5] != 0.0) {
     double q[4], gain[4];
     std::copy(quat_(body), quat_(body) + 4, q);
-    turning_rate(missed + 3, q, gain);
-    for (int d = 0; d < 4; ++d) q[d] += gain[d];
+    MathExtra::vecquat(missed + 3, q, gain);
+    for (int d = 0; d < 4; ++d) q[d] += 0.5 * gain[d];
     rodpack::normalise(q);
     std::copy(q, q + 4, quat_(body));
   }
@@ -205,7 +191,7 @@ void FixMultisphereAB::publish(const std::vector<BodyMotion>& motions) {
     const BodyMotion& of_body = motions[place_[body]];
     double arm[3];
     MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
-    ContactEvents::AtomMotion motion = {};
+    BodyMotion motion = of_body;
     const auto at_sphere = [&](const double* centre, const double* turn, double* result) {
       vectorCross3D(turn, arm, result);
       for (int d = 0; d < 3; ++d) result[d] += centre[d];
@@ -213,9 +199,6 @@ void FixMultisphereAB::publish(const std::vector<BodyMotion>& motions) {
     at_sphere(of_body.acceleration, of_body.angular_acceleration, motion.acceleration);
     at_sphere(of_body.velocity, of_body.angular_velocity, motion.velocity);
     at_sphere(of_body.displacement, of_body.rotation, motion.displacement);
-    vectorCopy3D(of_body.angular_acceleration, motion.angular_acceleration);
-    vectorCopy3D(of_body.angular_velocity, motion.angular_velocity);
-    vectorCopy3D(of_body.rotation, motion.rotation);
     events_->publish(i, motion);
   }
   events_->end_publishing();

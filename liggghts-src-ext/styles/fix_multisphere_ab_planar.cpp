@@ -59,7 +59,7 @@ rodpack::PlanarRates* FixMultisphereAB::planar_record(int body, int age) {
 
 /// What contacts will be told about the body in the next step, if its acceleration has jumped.
 void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& planar) {
-  const ContactEvents::AtomMotion* motion = events_->motion_for_next_step(atoms[0]);
+  const ContactEvents::RigidMotion* motion = events_->motion_for_next_step(atoms[0]);
   planar.jumped = motion != NULL;
   if (!motion) return;
   const rodpack::PlanarSphere& arm = planar.spheres[0];
@@ -109,7 +109,7 @@ void FixMultisphereAB::publish_jump(int body, const std::vector<int>& atoms,
   for (int i : atoms) {
     double arm[3];
     MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
-    ContactEvents::AtomMotion motion = {};
+    ContactEvents::RigidMotion motion = {};
     const auto at_sphere = [&](const double(&centre)[3], double* of_sphere, double* turn) {
       of_sphere[0] = centre[0] - centre[2] * arm[1];
       of_sphere[1] = centre[1] + centre[2] * arm[0];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "atom.h"
+#include "atom_property.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -41,13 +42,7 @@ FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
 }
 
 FixPropertyAtom* FixNVESphereAB::add_property(const char* name, int values) {
-  const std::string property_id = std::string(name) + "_" + id;
-  std::vector<std::string> words = {
-      property_id, "all", "property/atom", property_id, "vector", "yes", "no", "no"};
-  words.resize(words.size() + values, "0.");
-  std::vector<char*> arg;
-  for (std::string& word : words) arg.push_back(&word[0]);
-  return modify->add_fix_property_atom(static_cast<int>(arg.size()), arg.data(), style);
+  return add_atom_property(modify, std::string(name) + "_" + id, values, "yes", "no", "no", style);
 }
 
 void FixNVESphereAB::post_create() {

@@ -37,10 +37,7 @@ class Stages {
         liggghts_(options.liggghts),
         deck_(find_deck("comparison/in.comparison", options.inputs)),
         runs_(fs::path(options.out) / "runs") {
-    if (liggghts_.program.empty())
-      liggghts_.program = liggghts_beside_this_program();
-    else
-      liggghts_.program = fs::absolute(liggghts_.program).string();
+    if (liggghts_.program.empty()) liggghts_.program = liggghts_beside_this_program();
   }
 
   std::string folder(const std::string& name) const { return (runs_ / name).string(); }

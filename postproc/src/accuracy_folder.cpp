@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -27,13 +26,8 @@ nlohmann::json common(const AccuracySettings& settings) {
           {"timed_steps", settings.timed_steps}};
 }
 
-std::string contents(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 bool has_rows(const std::string& file) {
-  const std::string text = contents(file);
+  const std::string text = read_text(file);
   return std::count(text.begin(), text.end(), '\n') > 1;
 }
 
@@ -47,7 +41,7 @@ void claim_folder(const std::string& folder, const AccuracySettings& settings) {
     write_text(file, wanted.dump(2) + "\n");
     return;
   }
-  const auto found = nlohmann::json::parse(contents(file), nullptr, false);
+  const auto found = nlohmann::json::parse(read_text(file), nullptr, false);
   if (!found.is_object())
     throw DataError(file + ": expected the settings of the rows in " + folder + ", as JSON");
   for (const auto& [key, value] : wanted.items())
@@ -59,7 +53,7 @@ void claim_folder(const std::string& folder, const AccuracySettings& settings) {
 
 std::vector<std::vector<std::string>> read_fields(const std::string& file,
                                                   const std::string& header) {
-  const std::string all = contents(file);
+  const std::string all = read_text(file);
   const auto last = all.rfind('\n');
   if (last == std::string::npos) {
     write_text(file, header + "\n");
@@ -92,12 +86,10 @@ void append_line(const std::string& file, const std::string& line) {
 
 std::string run_accuracy_deck(const AccuracySettings& settings, const std::string& folder,
                               const std::string& deck, const DeckVariables& variables) {
-  Liggghts liggghts = settings.liggghts;
-  // runs have another working folder
-  if (fs::exists(liggghts.program)) liggghts.program = fs::absolute(liggghts.program).string();
   const std::string work = folder + "/work";
   for (const char* left : {"/end.dump", "/contacts.dump", "/energies.txt"}) fs::remove(work + left);
-  return run_deck(liggghts, find_deck("accuracy/" + deck, settings.inputs), variables, work);
+  return run_deck(settings.liggghts, find_deck("accuracy/" + deck, settings.inputs), variables,
+                  work);
 }
 
 }  // namespace rodpack

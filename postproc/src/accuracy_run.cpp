@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <sched.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +6,7 @@
 
 #include "accuracy_folder.h"
 #include "rodpack/data_error.h"
+#include "rodpack/step_timing.h"
 #include "rodpack/text.h"
 
 namespace rodpack {
@@ -37,38 +36,6 @@ std::vector<AccuracyRow> read_rows(const std::string& file) {
   return rows;
 }
 
-/// Keeps this process and those it starts on one processor, while it lives.
-class OneProcessor {
- public:
-  OneProcessor() {
-    if (sched_getaffinity(0, sizeof before_, &before_) != 0) return;
-    int last = -1;
-    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
-      if (CPU_ISSET(cpu, &before_)) last = cpu;
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(last, &one);
-    pinned_ = last >= 0 && sched_setaffinity(0, sizeof one, &one) == 0;
-  }
-  ~OneProcessor() {
-    if (pinned_) sched_setaffinity(0, sizeof before_, &before_);
-  }
-  OneProcessor(const OneProcessor&) = delete;
-  OneProcessor& operator=(const OneProcessor&) = delete;
-
- private:
-  cpu_set_t before_;
-  bool pinned_ = false;
-};
-
-/// Loop time of the last `run`, s.
-double loop_time(const std::string& output) {
-  const std::string label = "Loop time of ";
-  const auto at = output.rfind(label);
-  if (at == std::string::npos) throw DataError("LIGGGHTS printed no '" + label + "'");
-  return std::stod(output.substr(at + label.size()));
-}
-
 double error_of(const AccuracyScene& scene, const std::string& folder) {
   try {
     return scene.error(last_frame({folder + "/work/end.dump"}));
@@ -80,17 +47,14 @@ double error_of(const AccuracyScene& scene, const std::string& folder) {
 /// Median time of a step, s, at a step so short that the run takes `timed_steps`.
 double seconds_per_step(const AccuracySettings& settings, const std::string& folder,
                         const AccuracyScene& scene, const AccuracyMethod& method) {
-  const OneProcessor pinned;
+  const ProcessorPin pinned(1);
   const long steps = settings.timed_steps;
   const auto variables =
       scene.variables_for(method, scene.duration / static_cast<double>(steps), steps);
   std::vector<double> times;
   for (int k = 0; k < settings.repeats; ++k)
-    times.push_back(loop_time(run_accuracy_deck(settings, folder, scene.deck, variables)) /
-                    static_cast<double>(steps));
-  std::sort(times.begin(), times.end());
-  const std::size_t n = times.size();
-  return 0.5 * (times[(n - 1) / 2] + times[n / 2]);
+    times.push_back(time_per_step(run_accuracy_deck(settings, folder, scene.deck, variables)));
+  return median(times);
 }
 
 }  // namespace

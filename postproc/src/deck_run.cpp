@@ -6,22 +6,16 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "rodpack/data_error.h"
+#include "rodpack/text.h"
 
 namespace rodpack {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 /// The line that says what went wrong: the first that starts with ERROR, else the last one.
 std::string error_line(const std::string& output) {
@@ -83,9 +77,12 @@ std::string run_deck(const Liggghts& liggghts, const std::string& deck,
                      const DeckVariables& variables, const std::string& folder) {
   if (!fs::exists(deck)) throw DataError("no deck " + deck);
   fs::create_directories(folder);
+  // The working folder is another; what is no file here is looked for in PATH.
+  Liggghts from_there = liggghts;
+  if (fs::exists(liggghts.program)) from_there.program = fs::absolute(liggghts.program).string();
   const int exit_code =
-      run_in_folder(liggghts_command(liggghts, fs::absolute(deck).string(), variables), folder);
-  const std::string output = contents(fs::path(folder) / "output.txt");
+      run_in_folder(liggghts_command(from_there, fs::absolute(deck).string(), variables), folder);
+  const std::string output = read_text((fs::path(folder) / "output.txt").string());
   if (exit_code == 128 + SIGINT || exit_code == 128 + SIGTERM)
     throw DataError("interrupted while " + deck + " ran in " + folder);
   if (exit_code != 0)

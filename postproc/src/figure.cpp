@@ -35,8 +35,7 @@ void run_gnuplot(const std::string& script) {
 // SVG readers may drop the spaces around a change of font, as before the italic symbol in
 // "distance r", unless the file says that they count.
 void keep_spaces(const std::string& svg) {
-  std::ifstream in(svg, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text = read_text(svg);
   const std::string root = "<svg ";
   const auto at = text.find(root);
   if (at == std::string::npos) throw DataError(svg + ": gnuplot wrote no SVG");

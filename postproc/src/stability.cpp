@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "rodpack/data_error.h"
+#include "rodpack/mass_properties.h"
 #include "rodpack/stability_limit.h"
 #include "rodpack/text.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const double pi = std::acos(-1.0);
 const double stiffness = 1000;      // of a contact in the decks, N/m
 const double smallest_step = 0.05;  // omega dt
 const double scene_damping = 0.2;   // of the bed's deck
@@ -27,10 +27,11 @@ const char* const table_header = "method,order,damping_ratio,limit_measured,limi
 const char* const scenes_header =
     "scene,order,damping_ratio,limit_measured_s,limit_check_s,limit_single_contact_s,factor";
 
-/// Mass of a smooth rod of `spheres` spheres (1: a sphere) of the decks: those after the next only
-/// touch, so that each pair of neighbours shares a lens of 5/12 pi r^3.
+/// Mass of a smooth rod of `spheres` spheres (1: a sphere) of the decks, kg.
 double rod_mass(int spheres) {
-  return 2500 * pi * std::pow(1.5e-3, 3) * (4.0 * spheres / 3 - 5.0 * (spheres - 1) / 12);
+  const double diameter = 3e-3;
+  const ChainShape shape{0.5 * (spheres + 1), diameter, 0.5, 0, diameter};
+  return mass_properties(shape, 2500, MassRule::reference, false).mass;
 }
 
 std::string method_name(int order) { return order == 0 ? "velocity_verlet" : "adams_bashforth"; }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "rodpack/dump.h"
@@ -33,6 +34,11 @@ double round_step(double limit) {
   const double decade = std::pow(10, std::floor(std::log10(limit)));
   const double mantissa = limit / decade * (1 + 1e-12);
   return decade * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
+}
+
+std::string read_text(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 void write_text(const std::string& file, const std::string& content) {

@@ -258,7 +258,8 @@ class AccuracyRun : public testing::Test {
            "BOUNDS "
            "ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id qw qx qy qz\n1 "
         << number_text(std::cos(half), 17) << " 0 0 " << number_text(std::sin(half), 17)
-        << "\nEOD\necho 'Loop time of 3 on 1 procs'\necho 'Loop time of 0.5 on 1 procs'\n";
+        << "\nEOD\necho 'Loop time of 3 on 1 procs for 1 steps with 9 atoms'\n"
+           "echo 'Loop time of 0.5 on 1 procs for 20000 steps with 9 atoms'\n";
     fs::permissions(folder_ / "fake", fs::perms::owner_all);
   }
   auto accuracy(const std::string& more = "--steps 30,60,90") {

@@ -63,7 +63,7 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   Saved lane_state;
   save_lane(pool, place, lane, lane_state);
   // The history in space, already turned into the present plane of contact.
-  double values[3 * (max_multistep_order + 1) + 6] = {};
+  double values[TangentialHistory::size(max_multistep_order)] = {};
   const TangentialHistory history{values, slots};
   const auto along = [&](double component, double* vector) {
     vector[0] = -component * contact.en[1];

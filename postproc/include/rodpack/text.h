@@ -26,6 +26,9 @@ double round_step(double limit);
 void write_csv(const std::string& file,
                const std::vector<std::pair<std::string, std::vector<double>>>& columns);
 
+/// Contents of `file`, empty when there is none.
+std::string read_text(const std::string& file);
+
 /// Writes `content` to `file`, replacing it. @throws DataError when that fails.
 void write_text(const std::string& file, const std::string& content);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "vector3.h"
+
 namespace rodpack {
 
 // Events of a contact. A contact force is smooth in time but for touch, end, and changes between
@@ -31,6 +33,16 @@ struct ForceChange {
       rate[d] += other.rate[d];
       impulse[d] += other.impulse[d];
       sweep[d] += other.sweep[d];
+    }
+    return *this;
+  }
+
+  ForceChange& operator*=(double factor) {
+    for (int d = 0; d < 3; ++d) {
+      now[d] *= factor;
+      rate[d] *= factor;
+      impulse[d] *= factor;
+      sweep[d] *= factor;
     }
     return *this;
   }
@@ -77,17 +89,18 @@ inline ForceChange dashpot_change(double coefficient, const double (&acceleratio
 /// The torque of a changed force at `lever` (m), which moves at `lever_rate` (m/s).
 inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
                                  const ForceChange& force) {
-  const auto cross = [](const double(&a)[3], const double(&b)[3], int d) {
-    const int e = (d + 1) % 3, f = (d + 2) % 3;
-    return a[e] * b[f] - a[f] * b[e];
-  };
   ForceChange torque;
+  double of_rate[3], of_impulse[3];
+  cross(lever, force.now, torque.now);
+  cross(lever, force.rate, torque.rate);
+  cross(lever_rate, force.now, of_rate);
+  // int (L - (t_now - t) L') x D dt, and the sweep is int (t_now - t) D dt
+  cross(lever, force.impulse, torque.impulse);
+  cross(lever_rate, force.sweep, of_impulse);
+  cross(lever, force.sweep, torque.sweep);
   for (int d = 0; d < 3; ++d) {
-    torque.now[d] = cross(lever, force.now, d);
-    torque.rate[d] = cross(lever, force.rate, d) + cross(lever_rate, force.now, d);
-    // int (L - (t_now - t) L') x D dt, and the sweep is int (t_now - t) D dt
-    torque.impulse[d] = cross(lever, force.impulse, d) - cross(lever_rate, force.sweep, d);
-    torque.sweep[d] = cross(lever, force.sweep, d);
+    torque.rate[d] += of_rate[d];
+    torque.impulse[d] -= of_impulse[d];
   }
   return torque;
 }

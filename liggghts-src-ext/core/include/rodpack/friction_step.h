@@ -7,6 +7,7 @@
 
 #include "contact_law.h"
 #include "force_change.h"
+#include "vector3.h"
 
 namespace rodpack {
 
@@ -40,10 +41,6 @@ struct FrictionForce {
 
 namespace detail {
 
-inline double along(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Time since the quadratic through slip[0] > 0 (now), slip[1] < 0, slip[2] (earlier) was 0.
 inline double time_since_standstill(const double (&slip)[3], int known, double dt) {
   double x = slip[0] / (slip[0] - slip[1]);
@@ -63,7 +60,7 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
   double stuck[3], trial = 0.0;
   for (int d = 0; d < 3; ++d)
     stuck[d] = -(step.stiffness * spring[d] + step.damping * step.velocity[0][d]);
-  trial = std::sqrt(detail::along(stuck, stuck));
+  trial = std::sqrt(dot(stuck, stuck));
   const double cap = std::max(0.0, step.cap);
   const auto stick = [&] {
     for (int d = 0; d < 3; ++d)
@@ -74,7 +71,7 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
     double before[3];
     for (int d = 0; d < 3; ++d)
       before[d] = -(step.stiffness * step.spring_before[d] + step.damping * step.velocity[1][d]);
-    return std::sqrt(detail::along(before, before)) - (cap - step.dt * step.cap_rate);
+    return std::sqrt(dot(before, before)) - (cap - step.dt * step.cap_rate);
   };
   if (!step.slid && trial <= cap) {
     stick();
@@ -83,11 +80,10 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
 
   double direction[3], slip[3];  // of the force; velocity against which it acts, < 0 in a slide
   const double* const reference = step.slid ? step.spring_before : stuck;
-  const double length = std::sqrt(detail::along(reference, reference));
+  const double length = std::sqrt(dot(reference, reference));
   for (int d = 0; d < 3; ++d)
     direction[d] = length > 0.0 ? (step.slid ? -1.0 : 1.0) * reference[d] / length : 0.0;
-  for (int k = 0; k < 3; ++k)
-    slip[k] = k < step.known ? detail::along(step.velocity[k], direction) : 0.0;
+  for (int k = 0; k < 3; ++k) slip[k] = k < step.known ? dot(step.velocity[k], direction) : 0.0;
 
   if (slip[0] < 0.0 || length == 0.0) {  // slides
     result.slides = true;
@@ -125,7 +121,7 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
                 0.5 * result.since * (step.velocity[0][d] + then);
   }
   stick();
-  const double strength = std::sqrt(detail::along(result.force, result.force));
+  const double strength = std::sqrt(dot(result.force, result.force));
   if (strength > cap)
     for (int d = 0; d < 3; ++d) {
       spring[d] = -cap / step.stiffness * direction[d];

@@ -76,14 +76,11 @@ class PlanarEvents {
               double length, const double (&arm)[3], const double (&v)[3],
               const double (&body_v)[3], const ForceChange& on_i, bool jumps) {
     ForceChange force = on_i;
+    force *= sign;
     double lever[3], rate[3];
     // the lever of i points against the force that pushes i away, that of j too
     contact_lever(contact, turn, length, -sign, lever, rate);
     for (int d = 0; d < 3; ++d) {
-      force.now[d] *= sign;
-      force.rate[d] *= sign;
-      force.impulse[d] *= sign;
-      force.sweep[d] *= sign;
       lever[d] += arm[d];
       rate[d] += v[d] - body_v[d];
     }

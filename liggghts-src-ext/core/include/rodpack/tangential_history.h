@@ -25,7 +25,7 @@ struct TangentialHistory {
   double* values;
   int slots;
 
-  static int size(int slots) { return 3 * (slots + 1) + 6; }
+  static constexpr int size(int slots) { return 3 * (slots + 1) + 6; }
   double* spring() const { return values; }
   double* velocity(int k) const { return values + 3 * (k + 1); }
   double& count() const { return values[3 * (slots + 1)]; }
