@@ -10,6 +10,7 @@
 #include "math_extra.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "planar_owners.h"
 #include "rodpack/rigid_motion.h"
 #include "style_arguments.h"
 #include "update.h"
@@ -86,6 +87,7 @@ void FixMultisphereAB::parse(int narg, char** arg) {
 
 void FixMultisphereAB::post_create() {
   FixMultisphere::post_create();
+  PlanarOwners::create_property(lmp, style);
   if (!events_) return;
   events_->create_properties(style);
   // The models are told of a pair that parts only while it is closer than this times the sum of the

@@ -51,8 +51,12 @@ class FixMultisphereAB : public FixMultisphere {
   bool planar() const { return planar_; }
   bool follows_events() const { return events_ != NULL; }
   rodpack::PlanarBody to_planar(int body, const std::vector<int>& atoms);
+  void begin_planar();
   void from_planar(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
   void finish_planar();
+  // Bodies do not take the forces of this step along to another rank by themselves.
+  void keep_loads();
+  void restore_loads();
 
  private:
   // one record of rates of a body: as many values as rodpack::PlanarRates, rodpack::SpatialRates
@@ -110,6 +114,7 @@ class FixMultisphereAB : public FixMultisphere {
   // m^2/s) by events of the last step. They wait for the next one, so that bodies, spheres and
   // forces of a step, and of a restart file, belong together.
   VectorContainer<double, 12>* missed_motion_;
+  VectorContainer<double, 3>* planar_load_;  // force x, y, torque z; while bodies change their rank
   // Records of the past, oldest first. Short ones only with `planar yes`: with `planar auto` the
   // question is open until the run starts, and planar rates then fill the front of the long ones.
   std::vector<PlanarRecord*> past_planar_;

@@ -38,6 +38,9 @@ void FixMultisphereAB::add_history() {
   missed_motion_ = properties.addElementProperty<VectorContainer<double, 12> >(
       "ab_missed_motion", "comm_exchange_borders", "frame_invariant", "restart_yes");
   missed_motion_->setDefaultValue(0.0);
+  planar_load_ = properties.addElementProperty<VectorContainer<double, 3> >(
+      "ab_planar_load", "comm_exchange_borders", "frame_invariant", "restart_no");
+  planar_load_->setDefaultValue(0.0);
   evaluations_->setDefaultValue(0);
   timestep_->setDefaultValue(0.0);
   if (options_.always_planar())

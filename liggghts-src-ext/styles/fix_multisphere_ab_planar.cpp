@@ -18,6 +18,7 @@ PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) 
   if (!fflag_(body)[0] || !fflag_(body)[1] || !tflag_(body)[2])
     body_error(body, "run_style verlet/planar cannot switch off components of its force or torque");
   PlanarBody planar;
+  planar.tag = data().tag(body);
   planar.mass = mass_(body);
   planar.moment = moment_about_z(body);
   planar.radius = atom->radius[atoms[0]];
@@ -30,7 +31,7 @@ PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) 
       body_error(body, "run_style verlet/planar needs spheres of one radius in a body");
     if (atom->type[i] != atom->type[atoms[0]])
       body_error(body, "run_style verlet/planar needs spheres of one type in a body");
-    planar.spheres.push_back({arm[0], arm[1]});
+    planar.spheres.push_back({arm[0], arm[1], atom->tag[i]});
   }
   const double *x = xcm_(body), *v = vcm_(body), *missed = (*missed_motion_)(body);
   for (int d = 0; d < 2; ++d) {
@@ -74,6 +75,11 @@ void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& plan
   at_centre(motion->displacement, motion->rotation, change.displacement);
   change.cosine = planar.cosine;
   change.sine = planar.sine;
+}
+
+/// Before from_planar() is called for the bodies of this rank.
+void FixMultisphereAB::begin_planar() {
+  if (events_) events_->begin_publishing();
 }
 
 void FixMultisphereAB::from_planar(int body, const std::vector<int>& atoms,
@@ -129,4 +135,21 @@ void FixMultisphereAB::finish_planar() {
   rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
   reverse_comm();
   if (events_) events_->end_publishing();
+}
+
+void FixMultisphereAB::keep_loads() {
+  for (int body = 0; body < n_body(); ++body) {
+    const double load[3] = {fcm_(body)[0], fcm_(body)[1], torque_(body)[2]};
+    std::copy(load, load + 3, (*planar_load_)(body));
+  }
+}
+
+/// After bodies, atoms and ghosts were made anew.
+void FixMultisphereAB::restore_loads() {
+  for (int body = 0; body < n_body(); ++body) {
+    const double* load = (*planar_load_)(body);
+    std::copy(load, load + 2, fcm_(body));
+    torque_(body)[2] = load[2];
+  }
+  if (events_) events_->renew_ghosts();
 }

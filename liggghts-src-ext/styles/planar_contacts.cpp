@@ -5,13 +5,16 @@
 #include <cmath>
 
 #include "atom.h"
+#include "comm.h"
 #include "contact_model_constants.h"
 #include "error.h"
+#include "fix_contact_history.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "modify.h"
+#include "mpi_ranks.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
@@ -34,7 +37,31 @@ struct WallAccess : FixWallGran {
   static double** histories(FixWallGran* wall) {
     return (wall->*(&WallAccess::fix_history_primitive_))->array_atom;
   }
-  static void renew_list(FixWallGran* wall) { (wall->*(&WallAccess::pre_neighbor))(); }
+};
+
+/// Histories by atom, where they are while lists are made anew.
+struct HistoryAccess : FixContactHistory {
+  static void reset(FixContactHistory* fix) {
+    (fix->*(&HistoryAccess::ipage_))->reset();
+    (fix->*(&HistoryAccess::dpage_))->reset();
+  }
+  static int*& partners(FixContactHistory* fix, int i) {
+    return (fix->*(&HistoryAccess::partner_))[i];
+  }
+  static int& count(FixContactHistory* fix, int i) {
+    return (fix->*(&HistoryAccess::npartner_))[i];
+  }
+  /// Room for `count` partners of atom i, which has none then; false if there is none.
+  static bool allocate(FixContactHistory* fix, int i, int count) {
+    int*& tags = partners(fix, i);
+    double*& values = (fix->*(&HistoryAccess::contacthistory_))[i];
+    tags = (fix->*(&HistoryAccess::ipage_))->get(count);
+    values = (fix->*(&HistoryAccess::dpage_))->get(count * fix->get_dnum());
+    HistoryAccess::count(fix, i) = 0;
+    int& most = fix->*(&HistoryAccess::maxtouch_);
+    most = std::max(most, count);
+    return tags && values;
+  }
 };
 
 template <class Style>
@@ -178,9 +205,12 @@ struct PlanarContacts::Record {
   }
 };
 
-std::vector<PlanarContactState> PlanarContacts::read(const std::vector<PlanarPlace>& places) const {
+std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners) const {
   const double now = static_cast<double>(update->ntimestep);
-  std::vector<PlanarContactState> contacts;
+  std::vector<std::vector<PlanarContactRecord> > contacts(comm->nprocs);
+  const auto send = [&](const PlanarContactRecord& contact, int atom_index) {
+    contacts[owners.of_body(atom_index)].push_back(contact);
+  };
   double** const x = atom->x;
   NeighList* const list = pair_->list;
   for (int ii = 0; ii < list->inum; ++ii) {
@@ -188,17 +218,18 @@ std::vector<PlanarContactState> PlanarContacts::read(const std::vector<PlanarPla
     double* histories = list->listgranhistory->firstdouble[i];
     for (int jj = 0; jj < list->numneigh[i]; ++jj) {
       if (!list->listgranhistory->firstneigh[i][jj]) continue;
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      // the rank of j has this contact too, to rounding errors; one of both has to do
+      if (j >= atom->nlocal && atom->tag[j] < atom->tag[i]) continue;
       const Record record(histories + values_ * jj, slots_);
       if (!record.lives(now)) continue;
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      PlanarContactState contact;
-      contact.body_i = places[i].body;
-      contact.sphere_i = places[i].sphere;
-      contact.body_j = places[j].body;
-      contact.sphere_j = places[j].sphere;
+      PlanarContactRecord contact = PlanarContactRecord();
+      contact.atom = atom->tag[i];
+      contact.partner = atom->tag[j];
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
-      record.read(Frame(dx / r, dy / r), contact);
-      contacts.push_back(contact);
+      record.read(Frame(dx / r, dy / r), contact.state);
+      send(contact, i);
+      if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
     }
   }
   const std::vector<rodpack::PlanarWall> planes = walls();
@@ -206,38 +237,42 @@ std::vector<PlanarContactState> PlanarContacts::read(const std::vector<PlanarPla
     for (int i = 0; i < atom->nlocal; ++i) {
       const Record record(WallAccess::histories(walls_[w])[i], slots_);
       if (!record.lives(now)) continue;
-      PlanarContactState contact;
-      contact.body_i = places[i].body;
-      contact.sphere_i = places[i].sphere;
-      contact.body_j = -1 - static_cast<int>(w);
-      contact.sphere_j = 0;
+      PlanarContactRecord contact = PlanarContactRecord();
+      contact.atom = atom->tag[i];
+      contact.partner = -1 - static_cast<int>(w);
       const int axis = planes[w].axis;
       const double side = x[i][axis] > planes[w].position ? 1.0 : -1.0;
-      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact);
-      contacts.push_back(contact);
+      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
+      send(contact, i);
     }
-  return contacts;
+  return exchange_records(world, contacts);
 }
 
-/// Place of a pair in the list of `owner`, one of the two; -1 if it is not there.
-int PlanarContacts::find_in_list(int i, int j, int& owner) const {
-  const NeighList* const list = pair_->list;
-  for (int turn = 0; turn < 2; ++turn) {
-    owner = turn == 0 ? i : j;
-    const int other = turn == 0 ? j : i;
-    const int* const neighbours = list->firstneigh[owner];
-    for (int jj = 0; jj < list->numneigh[owner]; ++jj)
-      if ((neighbours[jj] & NEIGHMASK) == other) return jj;
-  }
-  return -1;
+int PlanarContacts::local_atom(int tag) const {
+  const int i = atom->map(tag);
+  if (i < 0 || i >= atom->nlocal || atom->tag[i] != tag)
+    error->one(FLERR, ("run_style verlet/planar: a contact of atom " + std::to_string(tag) +
+                       " has come to another rank than the atom")
+                          .c_str());
+  return i;
 }
 
-void PlanarContacts::write(const std::vector<PlanarContactState>& contacts,
-                           const std::vector<std::vector<int> >& atoms) const {
+void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& records) const {
+  const double now = static_cast<double>(update->ntimestep);
+  for (FixWallGran* wall : walls_)
+    for (int i = 0; i < atom->nlocal; ++i)
+      std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
+  for (const PlanarContactRecord& contact : records)
+    if (contact.partner < 0)
+      Record(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)], slots_)
+          .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+}
+
+void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
   using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
   using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
   const double now = static_cast<double>(update->ntimestep);
-  double** const x = atom->x;
+  write_to_walls(records);
   NeighList* const list = pair_->list;
   for (int ii = 0; ii < list->inum; ++ii) {
     const int i = list->ilist[ii];
@@ -249,36 +284,50 @@ void PlanarContacts::write(const std::vector<PlanarContactState>& contacts,
       std::fill_n(histories + values_ * jj, values_, 0.0);
     }
   }
-  for (FixWallGran* wall : walls_)
-    for (int i = 0; i < atom->nlocal; ++i)
-      std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
-
-  const std::vector<rodpack::PlanarWall> planes = walls();
-  for (const PlanarContactState& contact : contacts) {
-    const int i = atoms[contact.body_i][contact.sphere_i];
-    if (contact.body_j < 0) {
-      const int w = -1 - contact.body_j, axis = planes[w].axis;
-      const double side = x[i][axis] > planes[w].position ? 1.0 : -1.0;
-      Record(WallAccess::histories(walls_[w])[i], slots_)
-          .write(contact, Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), now);
-      continue;
-    }
-    const int j = atoms[contact.body_j][contact.sphere_j];
-    int owner = i;
-    const int jj = find_in_list(i, j, owner);
-    if (jj < 0)
-      error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
-    const int other = owner == i ? j : i;
-    const double dx = x[owner][0] - x[other][0], dy = x[owner][1] - x[other][1];
-    const double r = std::hypot(dx, dy);
-    list->listgranhistory->firstneigh[owner][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    Record(list->listgranhistory->firstdouble[owner] + values_ * jj, slots_)
-        .write(contact, Frame(dx / r, dy / r), now);
+  // A pair is in the list of one of its atoms here; if both are, in that of either.
+  int missing = 0;
+  for (const PlanarContactRecord& contact : records) {
+    if (contact.partner < 0) continue;
+    const int i = local_atom(contact.atom), j = atom->map(contact.partner);
+    const int* const neighbours = list->firstneigh[i];
+    int jj = 0;
+    while (jj < list->numneigh[i] && (neighbours[jj] & NEIGHMASK) != j) ++jj;
+    const bool is_there = jj < list->numneigh[i];
+    missing += (is_there ? -1 : 1) * (j >= 0 && j < atom->nlocal ? 1 : is_there ? 0 : 2);
+    if (!is_there) continue;
+    list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
+    Record(list->listgranhistory->firstdouble[i] + values_ * jj, slots_)
+        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
   }
+  if (missing != 0)
+    error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
 }
 
-void PlanarContacts::renew_wall_lists() const {
-  for (FixWallGran* wall : walls_) WallAccess::renew_list(wall);
+void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
+  const double now = static_cast<double>(update->ntimestep);
+  write_to_walls(records);
+  FixContactHistory* const histories = pair_->list->fix_history;
+  std::vector<int> counts(atom->nlocal, 0);
+  for (const PlanarContactRecord& contact : records)
+    if (contact.partner >= 0) ++counts[local_atom(contact.atom)];
+  HistoryAccess::reset(histories);
+  int most = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    most = std::max(most, counts[i]);
+    if (!HistoryAccess::allocate(histories, i, counts[i]))
+      error->one(FLERR, "run_style verlet/planar: contact history overflow, boost neigh_modify one");
+  }
+  // what an atom takes along when it changes its rank
+  comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);
+  for (const PlanarContactRecord& contact : records) {
+    if (contact.partner < 0) continue;
+    const int i = local_atom(contact.atom), place = HistoryAccess::count(histories, i)++;
+    HistoryAccess::partners(histories, i)[place] = contact.partner;
+    double* const values = histories->contacthistory(i, place);
+    std::fill_n(values, values_, 0.0);
+    Record(values, slots_)
+        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+  }
 }
 
 }  // namespace LAMMPS_NS

@@ -3,20 +3,22 @@
 #define LMP_PLANAR_CONTACTS_H
 
 #include <string>
-#include <utility>
 #include <vector>
+#include "planar_owners.h"
 #include "pointers.h"
 #include "rodpack/planar_scene.h"
 
 namespace LAMMPS_NS {
 
-/// Sphere `sphere` of body `body`, by local indices.
-struct PlanarPlace {
-  int body, sphere;
+/// A contact as an atom sees it, on its way between the ranks.
+struct PlanarContactRecord {
+  int atom, partner;  // tags; a wall: -1 - its index
+  double normal[2];   // from the partner to the atom
+  rodpack::PlanarContactState state;
 };
 
 /// The contacts of pair_style gran and of primitive walls, and their histories, between LIGGGHTS
-/// and the planar engine. Of one rank without periodic boundaries: there are no ghosts.
+/// and the planar engine. No periodic boundaries: an atom is there once on a rank.
 class PlanarContacts : protected Pointers {
  public:
   explicit PlanarContacts(class LAMMPS* lmp) : Pointers(lmp) {}
@@ -30,19 +32,20 @@ class PlanarContacts : protected Pointers {
   std::vector<rodpack::PlanarLaw> laws() const;
   std::vector<rodpack::PlanarWall> walls() const;
 
-  /// The contacts of this step. `places`: of each atom.
-  std::vector<rodpack::PlanarContactState> read(const std::vector<PlanarPlace>& places) const;
-  /// Writes them in the place of those that LIGGGHTS has; the neighbour list must hold their pairs.
-  /// `atoms`: of each body.
-  void write(const std::vector<rodpack::PlanarContactState>& contacts,
-             const std::vector<std::vector<int> >& atoms) const;
-  /// Neighbour lists of the walls will be made anew.
-  void renew_wall_lists() const;
+  /// The contacts of this step that bodies of this rank have, each once. Collective.
+  std::vector<PlanarContactRecord> read(const PlanarOwners& owners) const;
+  /// Both put contacts in the place of those that LIGGGHTS has. Each comes to the ranks of both of
+  /// its atoms, as seen from the atom there.
+  /// In the neighbour lists, which must hold the pairs:
+  void write_to_lists(const std::vector<PlanarContactRecord>& records) const;
+  /// Where they travel with the atoms and wait for new lists; after pre_exchange of the fixes:
+  void write_to_atoms(const std::vector<PlanarContactRecord>& records) const;
 
  private:
   struct Record;
   void refuse(const std::string& what) const;
-  int find_in_list(int i, int j, int& owner) const;
+  int local_atom(int tag) const;
+  void write_to_walls(const std::vector<PlanarContactRecord>& records) const;
 
   class PairGran* pair_ = NULL;
   std::vector<class FixWallGran*> walls_;

@@ -2,7 +2,7 @@
 #include "run_planar.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -35,6 +35,8 @@ const bigint fewest_steps = 8;
 const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere", "wall/gran",
                                    "gravity", "contacthistory"};
 
+bool quits() { return SignalHandler::request_quit && !SignalHandler::request_write_restart; }
+
 bool is_known(const char* style) {
   for (const char* known : known_fixes)
     if (std::strcmp(style, known) == 0) return true;
@@ -55,7 +57,7 @@ struct GravityAccess : FixGravity {
 }  // namespace
 
 RunPlanar::RunPlanar(LAMMPS* lmp, int narg, char** arg)
-    : Verlet(lmp, narg, arg), min_skin_(0.0), max_skin_(0.0), contacts_(lmp) {
+    : Verlet(lmp, narg, arg), min_skin_(0.0), max_skin_(0.0), contacts_(lmp), owners_(lmp) {
   if (narg == 0) return;
   if (narg != 3 || std::strcmp(arg[0], "skin") != 0)
     refuse(std::string("unknown keyword '") + arg[0] + "', expected skin and two lengths");
@@ -81,15 +83,20 @@ void RunPlanar::setup_minimal(int flag) {
   Verlet::setup_minimal(flag);
 }
 
+/// On one rank: others do not know.
+void RunPlanar::refuse_one(const std::string& what) const {
+  error->one(FLERR, ("run_style verlet/planar: " + what).c_str());
+}
+
 void RunPlanar::check() {
   check_scene();
   check_fixes();
   contacts_.connect();
+  owners_.connect();
+  ranks_.reset(new MpiRanks(world));
 }
 
 void RunPlanar::check_scene() {
-  if (comm->nprocs > 1)
-    refuse("it runs on one rank so far, but there are " + std::to_string(comm->nprocs));
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
     refuse("periodic boundaries are not supported, expected 'boundary f f f'");
   if (domain->triclinic) refuse("a triclinic box is not supported");
@@ -126,7 +133,17 @@ bigint RunPlanar::next_look() const {
     if (fix.force_reneighbor && fix.next_reneighbor > now)
       next = std::min(next, fix.next_reneighbor);
   }
-  return next;
+  bigint next_of_all = next;
+  MPI_Allreduce(&next, &next_of_all, 1, MPI_LMP_BIGINT, MPI_MIN, world);
+  return next_of_all;
+}
+
+/// Whether it is so on any rank: signals reach some of them only.
+bool RunPlanar::anywhere(bool here) const {
+  const int mine = here;
+  int any = mine;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  return any != 0;
 }
 
 void RunPlanar::run(int steps) {
@@ -136,10 +153,14 @@ void RunPlanar::run(int steps) {
   while (update->ntimestep < last) {
     const bigint look = std::min(last, next_look());
     const bigint quiet = look - update->ntimestep - 1;
-    if (quiet >= fewest_steps && bodies_->n_body() > 0) run_engine(quiet);
-    if (SignalHandler::request_quit && !SignalHandler::request_write_restart) return;
-    Verlet::run(static_cast<int>(look - update->ntimestep));
-    if (SignalHandler::request_quit && !SignalHandler::request_write_restart) return;
+    bigint seen = look - update->ntimestep;
+    if (quiet >= fewest_steps && bodies_->n_body_all() > 0) {
+      run_engine(quiet);
+      if (anywhere(quits())) return;
+      seen = 1;  // the look; or the step in which bodies change their rank
+    }
+    Verlet::run(static_cast<int>(seen));
+    if (anywhere(quits())) return;
   }
 }
 
@@ -148,10 +169,16 @@ void RunPlanar::run_engine(bigint steps) {
   take_over();
   const bigint chunk = 1000;  // between two looks for an interrupt
   bigint done = 0;
-  while (done < steps && !SignalHandler::request_quit && !SignalHandler::request_write_restart) {
-    const bigint next = std::min(chunk, steps - done);
-    scene_->run(static_cast<long>(next));
-    done += next;
+  try {
+    while (done < steps && !anywhere(SignalHandler::request_quit ||
+                                     SignalHandler::request_write_restart)) {
+      const bigint wanted = std::min(chunk, steps - done);
+      const bigint made = scene_->run(static_cast<long>(wanted));
+      done += made;
+      if (made < wanted) break;
+    }
+  } catch (const std::runtime_error& reason) {
+    refuse_one(reason.what());
   }
   update->ntimestep += done;
   timer->stamp(TIME_PAIR);
@@ -159,21 +186,57 @@ void RunPlanar::run_engine(bigint steps) {
   timer->stamp(TIME_COMM);
 }
 
-void RunPlanar::sort_atoms_by_body() {
-  atoms_.assign(bodies_->n_body(), std::vector<int>());
-  places_.resize(atom->nlocal);
-  for (int i = 0; i < atom->nlocal; ++i) {
+/// The bodies of this rank in the order of their tags, which a restart keeps, and their atoms.
+void RunPlanar::find_bodies() {
+  owners_.renew(*bodies_);
+  const int bodies = bodies_->n_body();
+  order_.resize(bodies);
+  for (int body = 0; body < bodies; ++body) order_[body] = body;
+  const auto tag_of = [&](int body) { return bodies_->data().tag(body); };
+  std::sort(order_.begin(), order_.end(), [&](int a, int b) { return tag_of(a) < tag_of(b); });
+  std::vector<int> place(bodies);
+  for (int k = 0; k < bodies; ++k) place[order_[k]] = k;
+  atoms_.assign(bodies, std::vector<int>());
+  for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
     const int tag = bodies_->belongs_to(i), body = tag < 0 ? -1 : bodies_->data().map(tag);
-    if (body < 0)
-      refuse("atom " + std::to_string(atom->tag[i]) + " belongs to no body of fix multisphere/ab");
-    places_[i].body = body;
-    places_[i].sphere = static_cast<int>(atoms_[body].size());
-    atoms_[body].push_back(i);
+    if (body >= 0)
+      atoms_[place[body]].push_back(i);
+    else if (i < atom->nlocal && (tag < 0 || owners_.of_body(i) < 0 || comm->nprocs == 1))
+      refuse_one("atom " + std::to_string(atom->tag[i]) +
+                 " belongs to no body of fix multisphere/ab");
+  }
+  for (int k = 0; k < bodies; ++k) {
+    std::sort(atoms_[k].begin(), atoms_[k].end(),
+              [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
+    const int expected = bodies_->data().nrigid(order_[k]);
+    if (static_cast<int>(atoms_[k].size()) != expected)
+      refuse_one("body " + std::to_string(tag_of(order_[k])) + " has " +
+                 std::to_string(atoms_[k].size()) + " spheres on its rank, expected " +
+                 std::to_string(expected));
   }
 }
 
-void RunPlanar::take_over() {
-  sort_atoms_by_body();
+std::vector<rodpack::PlanarBody> RunPlanar::take_bodies() {
+  std::vector<rodpack::PlanarBody> bodies;
+  double z[2] = {-1e300, -1e300};  // of the highest sphere, and the lowest times -1
+  for (size_t k = 0; k < order_.size(); ++k) {
+    const int first = atoms_[k][0];
+    bodies.push_back(bodies_->to_planar(order_[k], atoms_[k]));
+    bodies.back().type = atom->type[first] - 1;
+    z[0] = std::max(z[0], atom->x[first][2]);
+    z[1] = std::max(z[1], -atom->x[first][2]);
+  }
+  ranks_->largest(z, 2);
+  for (size_t k = 0; k < order_.size(); ++k) {
+    if (z[0] + z[1] <= 1e-9 * bodies[k].radius) continue;
+    char planes[128];
+    std::snprintf(planes, sizeof planes, "spheres lie in planes from z = %g to %g m", -z[1], z[0]);
+    refuse_one(std::string(planes) + ", expected one plane z = const");
+  }
+  return bodies;
+}
+
+rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBody>& bodies) const {
   rodpack::PlanarSettings settings;
   settings.dt = update->dt;
   settings.order = bodies_->order();
@@ -188,42 +251,121 @@ void RunPlanar::take_over() {
     gravity_->get_gravity(acceleration);
     std::copy(acceleration, acceleration + 2, settings.gravity);
   }
-  double least = 1e300, z = atom->nlocal > 0 ? atom->x[0][2] : 0.0;
-  std::vector<rodpack::PlanarBody> bodies;
-  for (int body = 0; body < bodies_->n_body(); ++body) {
-    if (atoms_[body].empty()) refuse("a body without spheres");
-    bodies.push_back(bodies_->to_planar(body, atoms_[body]));
-    bodies.back().type = atom->type[atoms_[body][0]] - 1;
-    least = std::min(least, bodies.back().radius);
-    const int first = atoms_[body][0];
-    if (std::fabs(atom->x[first][2] - z) > 1e-9 * bodies.back().radius)
-      refuse("atom " + std::to_string(atom->tag[first]) + " lies in another plane than atom " +
-             std::to_string(atom->tag[0]) + ", expected one plane z = const");
+  // the smallest radius and the thinnest parts of the box, times -1
+  double largest[3] = {-1e300, -(domain->subhi[0] - domain->sublo[0]),
+                       -(domain->subhi[1] - domain->sublo[1])};
+  for (const rodpack::PlanarBody& body : bodies) largest[0] = std::max(largest[0], -body.radius);
+  ranks_->largest(largest, 3);
+  settings.min_skin = min_skin_ > 0.0 ? min_skin_ : -0.06 * largest[0];
+  settings.max_skin = max_skin_ > 0.0 ? max_skin_ : -0.6 * largest[0];
+  // LIGGGHTS passes atoms and bodies on to the next rank, not beyond it; they may have gone half
+  // its skin before.
+  for (int axis = 0; axis < 2; ++axis)
+    if (comm->procgrid[axis] > 1) settings.farthest[axis] = -largest[1 + axis] - neighbor->skin;
+  return settings;
+}
+
+/// The contacts of the bodies of this rank, wherever LIGGGHTS has them.
+std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
+  std::vector<PlanarContactRecord> records = contacts_.read(owners_);
+  struct Place {
+    int tag, body, sphere;
+  };
+  std::vector<Place> places;
+  for (int body = 0; body < scene_->size_with_ghosts(); ++body)
+    for (int sphere = 0; sphere < scene_->spheres(body); ++sphere)
+      places.push_back({scene_->sphere_tag(body, sphere), body, sphere});
+  const auto before = [](const Place& a, const Place& b) { return a.tag < b.tag; };
+  if (!std::is_sorted(places.begin(), places.end(), before))
+    std::sort(places.begin(), places.end(), before);
+  const auto place_of = [&](int tag) -> const Place& {
+    const auto found = std::lower_bound(places.begin(), places.end(), Place{tag, 0, 0}, before);
+    if (found == places.end() || found->tag != tag)
+      refuse_one("a contact of atom " + std::to_string(tag) + " is on a rank that does not know it");
+    return *found;
+  };
+  std::vector<rodpack::PlanarContactState> contacts;
+  for (const PlanarContactRecord& record : records) {
+    contacts.push_back(record.state);
+    rodpack::PlanarContactState& contact = contacts.back();
+    const Place& i = place_of(record.atom);
+    contact.body_i = i.body;
+    contact.sphere_i = i.sphere;
+    contact.body_j = record.partner;
+    contact.sphere_j = 0;
+    if (record.partner < 0) continue;
+    const Place& j = place_of(record.partner);
+    contact.body_j = j.body;
+    contact.sphere_j = j.sphere;
   }
-  settings.min_skin = min_skin_ > 0.0 ? min_skin_ : 0.06 * least;
-  settings.max_skin = max_skin_ > 0.0 ? max_skin_ : 0.6 * least;
+  return contacts;
+}
+
+void RunPlanar::take_over() {
+  find_bodies();
+  const std::vector<rodpack::PlanarBody> bodies = take_bodies();
   try {
-    scene_.reset(new rodpack::PlanarScene(settings, bodies));
-    scene_->set_contacts(contacts_.read(places_));
+    scene_.reset(new rodpack::PlanarScene(settings(bodies), bodies, ranks_.get()));
+    scene_->set_contacts(take_contacts());
   } catch (const std::invalid_argument& reason) {
-    error->one(FLERR, (std::string("run_style verlet/planar: ") + reason.what()).c_str());
+    refuse_one(reason.what());
   }
 }
 
+/// The contacts of the atoms of this rank, as each of them sees it.
+std::vector<PlanarContactRecord> RunPlanar::contacts_of_atoms() const {
+  std::vector<std::vector<PlanarContactRecord> > records(comm->nprocs);
+  for (const rodpack::PlanarContactState& contact : scene_->contacts()) {
+    const auto send = [&](int body, int sphere, int partner, double sign) {
+      if (body >= scene_->size()) return;  // its own rank does
+      const int i = atoms_[body][sphere];
+      records[owners_.of_atom(i)].push_back(
+          {atom->tag[i], partner, {sign * contact.normal[0], sign * contact.normal[1]}, contact});
+    };
+    const bool wall = contact.body_j < 0;
+    send(contact.body_i, contact.sphere_i,
+         wall ? contact.body_j : scene_->sphere_tag(contact.body_j, contact.sphere_j), 1.0);
+    if (wall) continue;
+    send(contact.body_j, contact.sphere_j, scene_->sphere_tag(contact.body_i, contact.sphere_i),
+         -1.0);
+  }
+  return exchange_records(world, records);
+}
+
+/// As in a step of Verlet, between pre_exchange() of the fixes and the forces.
+void RunPlanar::exchange_and_list() {
+  domain->pbc();
+  if (domain->box_change) {
+    domain->reset_box();
+    comm->setup();
+    if (neighbor->style) neighbor->setup_bins();
+  }
+  comm->exchange();
+  comm->borders();
+  modify->pre_neighbor();
+  neighbor->build();
+}
+
 void RunPlanar::give_back() {
-  for (int body = 0; body < bodies_->n_body(); ++body)
-    bodies_->from_planar(body, atoms_[body], scene_->body(body));
+  bodies_->begin_planar();
+  for (size_t k = 0; k < order_.size(); ++k)
+    bodies_->from_planar(order_[k], atoms_[k], scene_->body(static_cast<int>(k)));
   bodies_->finish_planar();
+  const std::vector<PlanarContactRecord> contacts = contacts_of_atoms();
+  scene_.reset();
   // The next step moves the spheres again, and then decides itself; but contacts of now have to
   // find their pairs in the list.
   const bigint dangerous = neighbor->ndanger;  // the list was not in use meanwhile
   if (!neighbor->dist_check || neighbor->check_distance()) {
-    contacts_.renew_wall_lists();
-    neighbor->build();
+    bodies_->keep_loads();
+    modify->pre_exchange();
+    contacts_.write_to_atoms(contacts);
+    exchange_and_list();
+    bodies_->restore_loads();
+  } else {
+    contacts_.write_to_lists(contacts);
   }
   neighbor->ndanger = dangerous;
-  contacts_.write(scene_->contacts(), atoms_);
-  scene_.reset();
 }
 
 }  // namespace LAMMPS_NS

@@ -11,20 +11,20 @@ IntegrateStyle(verlet/planar,RunPlanar)
 #define LMP_RUN_PLANAR_H
 
 #include <memory>
+#include <string>
 #include <vector>
+#include "mpi_ranks.h"
 #include "planar_contacts.h"
+#include "planar_owners.h"
 #include "verlet.h"
-
-namespace rodpack {
-class PlanarScene;
-}
 
 namespace LAMMPS_NS {
 
 /// Runs a planar scene of rigid bodies in an engine of its own (rodpack/planar_scene.h) wherever
 /// nobody looks: between two steps of output, insertion or a fix that acts at the end of a step,
 /// the bodies and contacts are taken from LIGGGHTS and given back in the step before. The step that
-/// somebody sees is LIGGGHTS's own, with everything that belongs to it.
+/// somebody sees is LIGGGHTS's own, with everything that belongs to it. Each rank runs the bodies
+/// that fix multisphere has there.
 class RunPlanar : public Verlet {
  public:
   RunPlanar(class LAMMPS* lmp, int narg, char** arg);
@@ -36,21 +36,30 @@ class RunPlanar : public Verlet {
 
  private:
   void refuse(const std::string& what) const;
+  void refuse_one(const std::string& what) const;
   void check();
   void check_scene();
   void check_fixes() const;
-  void sort_atoms_by_body();
+  void find_bodies();
   bigint next_look() const;
+  bool anywhere(bool here) const;
   void run_engine(bigint steps);
+  rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
+  std::vector<rodpack::PlanarBody> take_bodies();
+  std::vector<rodpack::PlanarContactState> take_contacts();
   void take_over();
+  std::vector<PlanarContactRecord> contacts_of_atoms() const;
+  void exchange_and_list();
   void give_back();
 
   double min_skin_, max_skin_;  // m; 0: from the particles
   class FixMultisphereAB* bodies_ = NULL;
   class FixGravity* gravity_ = NULL;
   PlanarContacts contacts_;
-  std::vector<std::vector<int> > atoms_;  // of each body
-  std::vector<PlanarPlace> places_;       // of each atom
+  PlanarOwners owners_;
+  std::vector<int> order_;  // bodies of this rank by their tags: that of the scene
+  std::vector<std::vector<int> > atoms_;  // of each of them by their tags, ghosts among them
+  std::unique_ptr<MpiRanks> ranks_;
   std::unique_ptr<rodpack::PlanarScene> scene_;
 };
 

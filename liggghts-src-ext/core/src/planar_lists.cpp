@@ -48,12 +48,24 @@ void PlanarGrid::link(int body, int cell) {
 void PlanarGrid::move(int body, double x, double y) {
   const int cell = row(y) * nx_ + column(x);
   if (cell == cell_[body]) return;
+  unlink(body);
+  link(body, cell);
+}
+
+void PlanarGrid::add(int body, double x, double y) {
+  if (body >= static_cast<int>(cell_.size()))
+    for (auto* of_bodies : {&next_, &previous_, &cell_}) of_bodies->resize(body + 1, -1);
+  link(body, row(y) * nx_ + column(x));
+}
+
+void PlanarGrid::remove(int body) { unlink(body); }
+
+void PlanarGrid::unlink(int body) {
   if (previous_[body] >= 0)
     next_[previous_[body]] = next_[body];
   else
     head_[cell_[body]] = next_[body];
   if (next_[body] >= 0) previous_[next_[body]] = previous_[body];
-  link(body, cell);
 }
 
 void PlanarBlockPool::reorder(const std::vector<int>& order) {
@@ -186,14 +198,17 @@ void PlanarScene::Data::list(int body) {
   const PlanarBodyInfo& at = info[body];
   near.clear();
   grid.around(at.x, at.y, [&](int other) {
-    if (other == body) return;
+    if (other == body || (other >= owned && body >= owned)) return;  // other ranks' own affair
     const PlanarBodyInfo& there = info[other];
     const double dx = at.x - there.x, dy = at.y - there.y;
     const double far = at.reach + there.reach + at.skin + there.skin;
     if (dx * dx + dy * dy < far * far) near.push_back(other);
   });
-  for (int other : near) list_pair(std::min(body, other), std::max(body, other));
-  list_walls(body);
+  for (int other : near) {
+    const bool first = comes_first(body, other);
+    list_pair(first ? body : other, first ? other : body);
+  }
+  if (body < owned) list_walls(body);
   for (const Saved& contact : saved) {
     PlanarBlockPool& pool = contact.j < 0 ? at_walls : pairs;
     for (int place : pool.of_body(body)) {

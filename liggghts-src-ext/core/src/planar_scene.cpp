@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "rodpack/planar_halo.h"
 #include "rodpack/planar_scene_data.h"
 
 namespace rodpack {
@@ -59,19 +60,19 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
       events(static_cast<int>(bodies.size())),
       follows(given.events && given.order > 1) {
   const std::size_t count = bodies.size();
-  frames.resize(count);
-  for (auto* vectors : {&loads, &weights, &inverse_inertia, &missed_displacement, &missed_velocity})
+  owned = static_cast<int>(count);
+  resize(owned);
+  for (auto* vectors : {&inverse_inertia, &missed_displacement, &missed_velocity})
     vectors->assign(count, PlanarVector());
   for (int k = 0; k < settings.order - 1; ++k) {
     past_velocity[k].assign(count, PlanarVector());
     past_acceleration[k].assign(count, PlanarVector());
   }
-  info.resize(count);
   evaluations.resize(count);
   for (std::size_t b = 0; b < count; ++b) {
     const PlanarBody& body = bodies[b];
     PlanarBodyInfo& of = info[b];
-    of = PlanarBodyInfo();
+    tags[b] = body.tag < 0 ? static_cast<int>(b) : body.tag;
     of.type = body.type;
     of.mass = body.mass;
     of.moment = body.moment;
@@ -103,6 +104,20 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     }
     if (body.jumped) events.set_jumped(static_cast<int>(b), body.change);
   }
+}
+
+PlanarScene::Data::~Data() = default;
+
+/// Room for what forces need of a body; ghosts are not integrated.
+void PlanarScene::Data::resize(int bodies) {
+  frames.resize(bodies);
+  loads.resize(bodies, PlanarVector());
+  weights.resize(bodies, PlanarVector());
+  info.resize(bodies, PlanarBodyInfo());
+  tags.resize(bodies, -1);
+  pairs.resize(bodies);
+  at_walls.resize(bodies);
+  events.resize(bodies);
 }
 
 void PlanarScene::Data::make_missed_motion(int body) {
@@ -144,7 +159,7 @@ void PlanarScene::Data::integrate() {
 /// rigid_motion.h's planar step for all bodies, one register each; the rotation by the increment of
 /// the angle is made on cosine and sine.
 void PlanarScene::Data::advance_all() {
-  const int order = settings.order, count = static_cast<int>(info.size());
+  const int order = settings.order, count = owned;
   const double dt = settings.dt;
   const MultistepWeights& of_velocity = adams_bashforth_weights(order);
   const PlanarVector *past_v[max_multistep_order] = {}, *past_a[max_multistep_order] = {};
@@ -217,6 +232,7 @@ void PlanarScene::Data::apply_events() {
   events.forget_jumps();
   for (const PlanarEvents::Changes& sum : events.changes()) {
     const int b = sum.body;
+    if (b >= owned) continue;  // its own rank sees all of its contacts
     PlanarMotionChange motion = {};
     const auto value = [&](const double(ForceChange::*part)[3], int d) {
       return d < 2 ? (sum.force.*part)[d] : (sum.torque.*part)[2];
@@ -246,9 +262,15 @@ void PlanarScene::Data::apply_events() {
   events.forget_changes();
 }
 
-PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies) {
+PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
+                         PlanarRanks* ranks) {
   validate(settings, bodies);
   data_.reset(new Data(settings, bodies));
+  if (!ranks || ranks->count() == 1) return;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    require(bodies[k].tag > (k == 0 ? -1 : bodies[k - 1].tag), "tag of a body", bodies[k].tag,
+            "tags >= 0 that grow from one to the next");
+  data_->halo.reset(new PlanarHalo(*ranks, *data_));
 }
 
 PlanarScene::~PlanarScene() = default;
@@ -262,12 +284,14 @@ void PlanarScene::evaluate() {
   d.events.forget_changes();  // no step has gone by that could have missed something
 }
 
-void PlanarScene::run(long steps) {
+long PlanarScene::run(long steps) {
   Data& d = *data_;
   if (!d.lists_exist) d.list_all();
   for (long step = 0; step < steps; ++step) {
+    if (d.halo && d.halo->far_away()) return step;
     d.now += 1.0;
     d.integrate();
+    if (d.halo) d.halo->update(d);
     if (!d.to_list.empty()) d.renew_lists();
     if (d.statistics.steps % 256 == 128) d.sort_blocks();
     d.begin_forces();
@@ -276,6 +300,7 @@ void PlanarScene::run(long steps) {
     if (d.follows) d.apply_events();
     ++d.statistics.steps;
   }
+  return steps;
 }
 
 void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) {
@@ -283,8 +308,7 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
   if (!d.lists_exist) d.list_all();
   for (const PlanarContactState& contact : contacts) {
     Data::Saved saved = Data::Saved();
-    bool swapped = contact.body_j > contact.body_i;
-    swapped = contact.body_j >= 0 && !swapped;
+    const bool swapped = contact.body_j >= 0 && !d.comes_first(contact.body_i, contact.body_j);
     saved.i = swapped ? contact.body_j : contact.body_i;
     saved.j = swapped ? contact.body_i : contact.body_j;
     const int sphere_i = swapped ? contact.sphere_j : contact.sphere_i;
@@ -339,18 +363,30 @@ std::vector<PlanarContactState> PlanarScene::contacts() const {
         state.constants[0] = block.friction;
         state.constants[1] = block.kt;
         state.constants[2] = block.gamma_t;
+        PlanarContact contact;
+        data_->place_lane(block, lane, contact);
+        std::copy(contact.en, contact.en + 2, state.normal);
         result.push_back(state);
       }
   return result;
 }
 
-int PlanarScene::size() const { return static_cast<int>(data_->info.size()); }
+int PlanarScene::size() const { return data_->owned; }
+
+int PlanarScene::size_with_ghosts() const { return static_cast<int>(data_->info.size()); }
+
+int PlanarScene::spheres(int body) const { return data_->info[body].count; }
+
+int PlanarScene::sphere_tag(int body, int sphere) const {
+  return data_->spheres[data_->info[body].first + sphere].tag;
+}
 
 PlanarBody PlanarScene::body(int index) const {
   const Data& d = *data_;
   const PlanarBodyInfo& info = d.info[index];
   const PlanarFrame& frame = d.frames[index];
   PlanarBody body;
+  body.tag = d.tags[index];
   body.type = info.type;
   body.mass = info.mass;
   body.moment = info.moment;

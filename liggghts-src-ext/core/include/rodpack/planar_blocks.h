@@ -47,6 +47,7 @@ class PlanarBlockPool {
  public:
   explicit PlanarBlockPool(int bodies) : of_body_(bodies) {}
 
+  void resize(int bodies) { of_body_.resize(bodies); }
   int size() const { return static_cast<int>(blocks.size()); }
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 

@@ -23,6 +23,12 @@ class PlanarEvents {
 
   explicit PlanarEvents(int bodies) : place_(bodies, -1), jumped_(bodies, 0), motions_(bodies) {}
 
+  void resize(int bodies) {
+    place_.resize(bodies, -1);
+    jumped_.resize(bodies, 0);
+    motions_.resize(bodies);
+  }
+
   void add(const PlanarContact& contact, const double (&now)[3], const double (&rate)[3],
            double since, bool jumps) {
     double turning[3];

@@ -9,6 +9,8 @@
 
 namespace rodpack {
 
+class PlanarRanks;
+
 // A planar packing of rigid chains of spheres between straight walls, advanced by Adams-Bashforth
 // steps with the contact law of contact_law.h: the physics of the sphere-level styles
 // multisphere/ab and spring_dashpot at three degrees of freedom per body. SI units throughout.
@@ -44,10 +46,13 @@ struct PlanarSettings {
   /// Pairs that part are followed in a step up to this times the sum of the radii, as LIGGGHTS's
   /// contact distance factor: what parts faster loses the correction of its end.
   double close_factor = 1.02;
+  /// With several ranks: a run ends before a point of a body has gone this far along x or y, m.
+  double farthest[2] = {1e300, 1e300};
 };
 
 struct PlanarSphere {
   double x, y;  // of its centre in the frame of the body, origin in the centre of mass
+  int tag = 0;  // by which the caller knows it
 };
 
 /// What contacts learn in the next step about a body whose acceleration has jumped.
@@ -58,6 +63,7 @@ struct PlanarMotionChange {
 
 /// A body between two steps. Vectors of three: x, y and rotation about z.
 struct PlanarBody {
+  int tag = -1;                       // >= 0, the same on all ranks; -1: its index
   int type = 0;                       // 0 .. types-1
   double mass = 0.0, moment = 0.0;    // kg; kg m^2 about the centre of mass
   double radius = 0.0;                // of all its spheres
@@ -85,13 +91,18 @@ struct PlanarContactState {
   double since;              // time from touch to the end of its step, s
   double uncut, touch_rate;  // as in NormalHistory
   bool fresh;
-  double constants[3];  // mu k_n (N/m), k_t (N/m), tangential dashpot (kg/s); those of contacts()
+  // those of contacts():
+  double constants[3];  // mu k_n (N/m), k_t (N/m), tangential dashpot (kg/s)
+  double normal[2];     // from j to i, unit length
 };
 
 class PlanarScene {
  public:
+  /// With `ranks`, which have to outlive it: the part of one rank, collective as evaluate() and
+  /// run() then are. Each body is given to one rank, with a tag, in the order of the tags.
   /// @throws std::invalid_argument naming a value that is out of range.
-  PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies);
+  PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
+              PlanarRanks* ranks = nullptr);
   ~PlanarScene();
 
   /// The contacts at present, for forces that were evaluated elsewhere; before the first step.
@@ -101,11 +112,18 @@ class PlanarScene {
 
   /// Evaluates the forces at the present positions, as the first evaluation of new contacts.
   void evaluate();
-  /// Advances by `steps` steps. Forces must be known: loads that were given, or evaluate().
-  void run(long steps);
+  /// Advances by `steps` steps, or by fewer if a body has gone too far for its rank; returns how
+  /// many. Forces must be known: loads that were given, or evaluate().
+  /// @throws std::runtime_error naming a body whose contacts with other ranks may have been missed
+  long run(long steps);
 
   int size() const;
-  PlanarBody body(int index) const;
+  PlanarBody body(int index) const;  // 0 .. size()-1
+  /// Copies of other ranks' bodies have the indices from size() on, in contacts too; of those that
+  /// are in use here: 0 spheres otherwise.
+  int size_with_ghosts() const;
+  int spheres(int body) const;
+  int sphere_tag(int body, int sphere) const;
 
   struct Statistics {
     long steps, listings;       // steps, and listings of single bodies

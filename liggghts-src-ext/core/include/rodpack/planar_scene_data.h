@@ -3,6 +3,7 @@
 #define RODPACK_PLANAR_SCENE_DATA_H
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "aligned_vector.h"
@@ -34,6 +35,8 @@ class PlanarGrid {
  public:
   void build(const std::vector<PlanarBodyInfo>& bodies, double cell);
   void move(int body, double x, double y);
+  void add(int body, double x, double y);
+  void remove(int body);
   /// Calls visit(other) for all bodies of the cells around that of (x, y).
   template <class Visit>
   void around(double x, double y, Visit visit) const {
@@ -51,14 +54,18 @@ class PlanarGrid {
   int column(double x) const { return clamped((x - x0_) * inverse_, nx_); }
   int row(double y) const { return clamped((y - y0_) * inverse_, ny_); }
   void link(int body, int cell);
+  void unlink(int body);
 
   double x0_ = 0.0, y0_ = 0.0, inverse_ = 1.0;
   int nx_ = 1, ny_ = 1;
   std::vector<int> head_, next_, previous_, cell_;
 };
 
+class PlanarHalo;
+
 struct PlanarScene::Data {
   Data(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies);
+  ~Data();
 
   // planar_scene.cpp
   void integrate();
@@ -67,6 +74,9 @@ struct PlanarScene::Data {
   void fill_past(int body);
   void apply_events();
   void begin_forces();
+  void resize(int bodies);
+  /// Whether i is the first of the two in a block, on every rank.
+  bool comes_first(int i, int j) const { return tags[i] < tags[j]; }
   // planar_lists.cpp
   void list_all();
   void renew_lists();
@@ -91,6 +101,8 @@ struct PlanarScene::Data {
   int slots;         // tangential velocities that a contact keeps
   double now = 0.0;  // number of the step that is evaluated
   bool lists_exist = false;
+  int owned = 0;  // bodies of this rank; ghosts follow them
+  std::unique_ptr<PlanarHalo> halo;
 
   AlignedVector<PlanarFrame> frames;
   AlignedVector<PlanarVector> loads, weights;  // weight: force and torque without contacts
@@ -101,6 +113,7 @@ struct PlanarScene::Data {
   AlignedVector<PlanarVector> missed_displacement, missed_velocity;
   std::vector<int> missed;  // bodies with missed motion
   std::vector<PlanarBodyInfo> info;
+  std::vector<int> tags;
   std::vector<PlanarSphere> spheres;
 
   PlanarBlockPool pairs, at_walls;
