@@ -68,6 +68,7 @@ PlanarHalo::PlanarHalo(PlanarRanks& ranks, PlanarScene::Data& scene) : ranks_(ra
     begun_.push_back({frame.x, frame.y, frame.cosine, frame.sine});
   }
   ranks_.largest(&reach, 1);
+  is_limited_ = std::min(scene.settings.farthest[0], scene.settings.farthest[1]) < 1e300;
   // Ghosts in reserve cost a message each, so there may be many.
   way_ = reach + 2.0 * scene.settings.max_skin;
   renew(scene);
@@ -95,8 +96,9 @@ bool PlanarHalo::ask(PlanarScene::Data& scene) {
       moved = x * x + y * y;
       farthest = b;
     }
-    speed = std::max(speed, std::hypot(v[0], v[1]) + scene.info[b].reach * std::fabs(v[2]));
-    least_room = std::min(least_room, room(scene, b));
+    speed = std::max(speed, std::sqrt(v[0] * v[0] + v[1] * v[1]) +
+                                scene.info[b].reach * std::fabs(v[2]));
+    if (is_limited_) least_room = std::min(least_room, room(scene, b));
   }
   moved = std::sqrt(moved);
   if (moved > way_)
@@ -123,8 +125,8 @@ bool PlanarHalo::ask(PlanarScene::Data& scene) {
 double PlanarHalo::room(const PlanarScene::Data& scene, int body) const {
   const PlanarFrame& frame = scene.frames[body];
   const Place& begun = begun_[body];
-  const double turn = scene.info[body].reach *
-                      std::hypot(frame.cosine - begun.cosine, frame.sine - begun.sine);
+  const double c = frame.cosine - begun.cosine, s = frame.sine - begun.sine;
+  const double turn = scene.info[body].reach * std::sqrt(c * c + s * s);
   const double* limit = scene.settings.farthest;
   return std::min(limit[0] - std::fabs(frame.x - begun.x),
                   limit[1] - std::fabs(frame.y - begun.y)) -

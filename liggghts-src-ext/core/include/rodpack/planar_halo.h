@@ -56,6 +56,7 @@ class PlanarHalo {
   PlanarRanks& ranks_;
   double way_;        // that each body may go before ghosts are chosen anew, m
   int patience_ = 0;  // steps until the next question
+  bool is_limited_;   // bodies may not go anywhere
   bool far_away_ = false;
   std::vector<Place> renewed_, begun_;  // own bodies when ghosts were chosen, and at first
   std::vector<PlanarLink> links_;
