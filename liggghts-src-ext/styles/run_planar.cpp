@@ -33,6 +33,7 @@ const bigint fewest_steps = 8;
 
 // Fixes that act in every step, by what the engine does itself.
 const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere", "wall/gran",
+                                   "wall/gran/solid",
                                    "gravity", "contacthistory"};
 
 bool quits() { return SignalHandler::request_quit && !SignalHandler::request_write_restart; }

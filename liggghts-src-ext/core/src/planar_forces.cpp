@@ -25,8 +25,7 @@ bool PlanarScene::Data::place_lane(const PlanarBlock& block, int lane,
   contact.gamman = block.gamma_n;
   contact.gammat = block.gamma_t;
   if (block.j < 0) {
-    const PlanarWall& wall = settings.walls[-1 - block.j];
-    place_wall(contact, frames[block.i], wall.axis, wall.position);
+    place_wall(contact, frames[block.i], settings.walls[-1 - block.j]);
     return contact.deltan >= 0.0;
   }
   place_pair(contact, frames[block.i], frames[block.j]);

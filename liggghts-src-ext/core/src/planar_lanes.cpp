@@ -129,13 +129,20 @@ inline int evaluate_lasting(PlanarBlock& block, PlanarBlockHistory& history, con
   return forces.general;
 }
 
+/// Where a wall pushes spheres with centres at `distance` from it along its axis.
+inline Lanes sides_of(const PlanarWall& wall, Lanes distance) {
+  if (wall.free_side != 0) return all_lanes(wall.free_side);
+  return lane_choice(lane_less(distance, all_lanes(0.0)), all_lanes(-1.0), all_lanes(1.0));
+}
+
 /// The same with a wall: `distance` of the spheres' centres from it, along its axis.
 inline int evaluate_lasting_wall(PlanarBlock& block, PlanarBlockHistory& history, const Arms& arms,
-                                 int axis, Lanes distance, int lasting, const LaneStep& step) {
+                                 const PlanarWall& wall, Lanes distance, int lasting,
+                                 const LaneStep& step) {
   const PlanarFrame& i = step.frames[block.i];
   const Lanes zero = all_lanes(0.0);
-  const Lanes side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
-  const Lanes nx = axis == 0 ? side : zero, ny = axis == 0 ? zero : side;
+  const Lanes side = sides_of(wall, distance);
+  const Lanes nx = wall.axis == 0 ? side : zero, ny = wall.axis == 0 ? zero : side;
   const Lanes overlap = block.radius_i - distance * side;
   const Lanes lever = block.radius_i - 0.5 * overlap;
   const Lanes px = arms.x - lever * nx, py = arms.y - lever * ny;
@@ -189,8 +196,7 @@ void PlanarScene::Data::evaluate_walls() {
     const Arms arms = arms_of(block.xi, block.yi, i);
     const Lanes distance =
         (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
-    const Lanes side =
-        lane_choice(lane_less(distance, all_lanes(0.0)), all_lanes(-1.0), all_lanes(1.0));
+    const Lanes side = sides_of(wall, distance);
     const int used = (1 << block.used) - 1;
     const int touching = ~lane_bits(lane_less(load_lanes(block.reach), distance * side)) & used,
               alive = block.alive;
@@ -199,7 +205,7 @@ void PlanarScene::Data::evaluate_walls() {
     if (follows && events.jumped(block.i)) lasting = 0;
     int general = (touching | alive) & ~lasting;
     if (lasting)
-      general |= evaluate_lasting_wall(block, at_walls.histories[place], arms, wall.axis, distance,
+      general |= evaluate_lasting_wall(block, at_walls.histories[place], arms, wall, distance,
                                        lasting, step);
     for (int lane = 0; general != 0; ++lane, general >>= 1)
       if (general & 1) evaluate_lane(at_walls, place, lane);

@@ -285,7 +285,7 @@ void PlanarScene::Data::list_walls(int i) {
   for (std::size_t w = 0; w < settings.walls.size(); ++w) {
     const PlanarWall& wall = settings.walls[w];
     const double centre = (wall.axis == 0 ? a.x : a.y) - wall.position;
-    if (std::fabs(centre) > a.reach + a.skin) continue;
+    if (wall.side_of(centre) * centre > a.reach + a.skin) continue;
     PlanarBlock empty = PlanarBlock();
     empty.i = i;
     empty.j = -1 - static_cast<int>(w);
@@ -296,7 +296,7 @@ void PlanarScene::Data::list_walls(int i) {
     for (int k = 0; k < a.count; ++k) {
       const PlanarSphere& sphere = spheres[a.first + k];
       const double distance = centre + along_x * sphere.x + along_y * sphere.y;
-      if (std::fabs(distance) < a.radius + a.skin)
+      if (wall.side_of(distance) * distance < a.radius + a.skin)
         writer.add(k, sphere, 0, PlanarSphere(), a.radius);
     }
   }
