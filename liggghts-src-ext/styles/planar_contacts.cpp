@@ -323,7 +323,8 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
   for (int i = 0; i < atom->nlocal; ++i) {
     most = std::max(most, counts[i]);
     if (!HistoryAccess::allocate(histories, i, counts[i]))
-      error->one(FLERR, "run_style verlet/planar: contact history overflow, boost neigh_modify one");
+      error->one(FLERR,
+                 "run_style verlet/planar: contact history overflow, boost neigh_modify one");
   }
   // what an atom takes along when it changes its rank
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);
@@ -333,8 +334,7 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
     HistoryAccess::partners(histories, i)[place] = contact.partner;
     double* const values = histories->contacthistory(i, place);
     std::fill_n(values, values_, 0.0);
-    Record(values, slots_)
-        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+    Record(values, slots_).write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
   }
 }
 

@@ -32,9 +32,9 @@ namespace {
 const bigint fewest_steps = 8;
 
 // Fixes that act in every step, by what the engine does itself.
-const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere", "wall/gran",
-                                   "wall/gran/solid",
-                                   "gravity", "contacthistory"};
+const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere",
+                                   "wall/gran",      "wall/gran/solid",
+                                   "gravity",        "contacthistory"};
 
 bool quits() { return SignalHandler::request_quit && !SignalHandler::request_write_restart; }
 
@@ -171,8 +171,8 @@ void RunPlanar::run_engine(bigint steps) {
   const bigint chunk = 1000;  // between two looks for an interrupt
   bigint done = 0;
   try {
-    while (done < steps && !anywhere(SignalHandler::request_quit ||
-                                     SignalHandler::request_write_restart)) {
+    while (done < steps &&
+           !anywhere(SignalHandler::request_quit || SignalHandler::request_write_restart)) {
       const bigint wanted = std::min(chunk, steps - done);
       const bigint made = scene_->run(static_cast<long>(wanted));
       done += made;
@@ -282,7 +282,8 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
   const auto place_of = [&](int tag) -> const Place& {
     const auto found = std::lower_bound(places.begin(), places.end(), Place{tag, 0, 0}, before);
     if (found == places.end() || found->tag != tag)
-      refuse_one("a contact of atom " + std::to_string(tag) + " is on a rank that does not know it");
+      refuse_one("a contact of atom " + std::to_string(tag) +
+                 " is on a rank that does not know it");
     return *found;
   };
   std::vector<rodpack::PlanarContactState> contacts;

@@ -94,8 +94,8 @@ std::string continued(const std::string& file) {
 
 /// Contacts in an order, and with an order of the two bodies, that does not depend on the ranks.
 Table by_atoms(const Table& contacts) {
-  const std::vector<std::string> names = {"body_i", "sphere_i", "body_j",   "sphere_j",
-                                          "wall",   "fx",       "fy",       "overlap_t"};
+  const std::vector<std::string> names = {"body_i", "sphere_i", "body_j", "sphere_j",
+                                          "wall",   "fx",       "fy",     "overlap_t"};
   std::vector<std::vector<double>> rows(contacts.rows());
   for (const std::string& name : names)
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(contacts.column(name)[i]);
@@ -235,16 +235,16 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
               HasSubstr("skin is 2e-3 1e-3, expected"));
 }
 
-// Ranks differ from one another by the order of sums: nothing in the time of this test, in which the
-// first rods fall, collide across the borders of the ranks and are looked at every 11 ms.
+// Ranks differ from one another by the order of sums: nothing in the time of this test, in which
+// the first rods fall, collide across the borders of the ranks and are looked at every 11 ms.
 TEST(PlanarEngine, RanksAgreeWithOneRankToRounding) {
   const Vars vars = {
       {"rods", "15"}, {"height", "0.08"}, {"steps", "24000"}, {"style", "verlet/planar"}};
   const auto one = run_liggghts(deck, vars);
   ASSERT_EQ(one.exit_code, 0) << one.output;
   const Table a = last(one, "bodies", vars), contacts = by_atoms(last(one, "contacts", vars));
-  for (const auto& grid : {std::make_pair(2, "* 1 1"), std::make_pair(4, "* 1 1"),
-                           std::make_pair(4, "2 2 1")}) {
+  for (const auto& grid :
+       {std::make_pair(2, "* 1 1"), std::make_pair(4, "* 1 1"), std::make_pair(4, "2 2 1")}) {
     std::string text = deck;
     text.replace(text.find("* 1 1"), 5, grid.second);
     const auto run = run_liggghts(text, vars, grid.first);

@@ -18,8 +18,8 @@ const int most_patience = 32, least_patience = 4;
 const int frame_values = 7, change_values = 11, record_values = 7;
 
 double* put_frame(const PlanarFrame& frame, double* to) {
-  const double values[frame_values] = {frame.x,           frame.y,           frame.cosine,
-                                       frame.sine,        frame.velocity[0], frame.velocity[1],
+  const double values[frame_values] = {frame.x,          frame.y,           frame.cosine,
+                                       frame.sine,       frame.velocity[0], frame.velocity[1],
                                        frame.velocity[2]};
   return std::copy(values, values + frame_values, to);
 }
@@ -84,34 +84,43 @@ void PlanarHalo::update(PlanarScene::Data& scene) {
   for (std::size_t k = 0; k < links_.size(); ++k) unpack(scene, partners_[k], links_[k]);
 }
 
-/// Whether ghosts have to be chosen anew, and when to ask again. Collective.
-bool PlanarHalo::ask(PlanarScene::Data& scene) {
-  double moved = 0.0, speed = 0.0, least_room = 1e300;
+/// The way that the body has gone that has gone farthest since ghosts were chosen.
+double PlanarHalo::checked_way(const PlanarScene::Data& scene) const {
+  double most = 0.0;
   int farthest = -1;
   for (int b = 0; b < scene.owned; ++b) {
-    const PlanarFrame& frame = scene.frames[b];
-    const double x = frame.x - renewed_[b].x, y = frame.y - renewed_[b].y;
-    const double* v = frame.velocity;
-    if (x * x + y * y > moved) {
-      moved = x * x + y * y;
-      farthest = b;
-    }
-    speed = std::max(speed, std::sqrt(v[0] * v[0] + v[1] * v[1]) +
-                                scene.info[b].reach * std::fabs(v[2]));
-    if (is_limited_) least_room = std::min(least_room, room(scene, b));
+    const double x = scene.frames[b].x - renewed_[b].x, y = scene.frames[b].y - renewed_[b].y;
+    if (x * x + y * y <= most) continue;
+    most = x * x + y * y;
+    farthest = b;
   }
-  moved = std::sqrt(moved);
-  if (moved > way_)
+  const double way = std::sqrt(most);
+  if (way > way_)
     throw std::runtime_error("planar scene: body " + std::to_string(scene.tags[farthest]) +
-                             " went " + std::to_string(moved) +
+                             " went " + std::to_string(way) +
                              " m, faster than its contacts with other ranks could be followed, "
                              "expected at most " +
                              std::to_string(way_) + " m");
-  double values[3] = {moved, speed, -least_room};
+  return way;
+}
+
+/// Whether ghosts have to be chosen anew, and when to ask again. Collective.
+bool PlanarHalo::ask(const PlanarScene::Data& scene) {
+  const double way = checked_way(scene);
+  double speed = 0.0, least_room = 1e300;
+  for (int b = 0; b < scene.owned; ++b) {
+    const double* v = scene.frames[b].velocity;
+    speed = std::max(speed,
+                     std::sqrt(v[0] * v[0] + v[1] * v[1]) + scene.info[b].reach * std::fabs(v[2]));
+    if (is_limited_) least_room = std::min(least_room, room(scene, b));
+  }
+  double values[3] = {way, speed, -least_room};
   ranks_.largest(values, 3);
   const double way_in_step = speed_margin * values[1] * scene.settings.dt;
-  const auto patience = [&](double way) {
-    return way < most_patience * way_in_step ? static_cast<int>(way / way_in_step) : most_patience;
+  const auto patience = [&](double left) {
+    if (left <= 0.0) return 0;
+    return left < most_patience * way_in_step ? static_cast<int>(left / way_in_step)
+                                              : most_patience;
   };
   const int until_far_away = patience(-values[2]);
   far_away_ = until_far_away < least_patience;
@@ -184,11 +193,13 @@ std::vector<std::vector<double>> PlanarHalo::choose(PlanarScene::Data& scene,
       const std::size_t at = to.size();
       to.resize(at + record_values + frame_values + change_values + 3 * info.count);
       const bool jumped = scene.events.jumped(b);
-      const double constants[record_values] = {
-          static_cast<double>(scene.tags[b]), static_cast<double>(info.type),
-          info.mass,                          info.moment,
-          info.radius,                        static_cast<double>(info.count),
-          jumped ? 1.0 : 0.0};
+      const double constants[record_values] = {static_cast<double>(scene.tags[b]),
+                                               static_cast<double>(info.type),
+                                               info.mass,
+                                               info.moment,
+                                               info.radius,
+                                               static_cast<double>(info.count),
+                                               jumped ? 1.0 : 0.0};
       double* next = std::copy(constants, constants + record_values, &to[at]);
       next = put_frame(scene.frames[b], next);
       next = put_change(scene.events.motion(b), next);

@@ -287,8 +287,8 @@ void PlanarScene::evaluate() {
 long PlanarScene::run(long steps) {
   Data& d = *data_;
   if (!d.lists_exist) d.list_all();
-  for (long step = 0; step < steps; ++step) {
-    if (d.halo && d.halo->far_away()) return step;
+  long step = 0;
+  for (; step < steps && !(d.halo && d.halo->far_away()); ++step) {
     d.now += 1.0;
     d.integrate();
     if (d.halo) d.halo->update(d);
@@ -300,7 +300,8 @@ long PlanarScene::run(long steps) {
     if (d.follows) d.apply_events();
     ++d.statistics.steps;
   }
-  return steps;
+  if (d.halo) d.halo->check(d);
+  return step;
 }
 
 void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) {

@@ -27,6 +27,10 @@ class PlanarHalo {
   /// @throws std::runtime_error naming a body that went farther than it could have been followed
   void update(PlanarScene::Data& scene);
 
+  /// Whether no contact can have been missed so far; not collective.
+  /// @throws as update()
+  void check(const PlanarScene::Data& scene) const { checked_way(scene); }
+
   /// Whether a body has gone nearly settings.farthest since the scene began.
   bool far_away() const { return far_away_; }
 
@@ -39,7 +43,8 @@ class PlanarHalo {
     std::vector<int> sent, received;
   };
 
-  bool ask(PlanarScene::Data& scene);
+  double checked_way(const PlanarScene::Data& scene) const;
+  bool ask(const PlanarScene::Data& scene);
   double room(const PlanarScene::Data& scene, int body) const;
   void renew(PlanarScene::Data& scene);
   std::vector<std::vector<double>> choose(PlanarScene::Data& scene,
