@@ -113,9 +113,11 @@ TEST(Deposition, SettlesSpheresCoarseAndCurvedParticlesAndWithTheBuiltInIntegrat
 }
 
 TEST(Deposition, RunsOnTwoRanks) {
-  const auto run = run_liggghts(deck, small(), 2);
-  ASSERT_EQ(run.exit_code, 0) << run.output;
-  expect_settled(run.folder / "run", 24, 5 * 5 * 3e-3);
+  for (const char* engine : {"spheres", "planar"}) {
+    const auto run = run_liggghts(deck, small({{"engine", engine}}), 2);
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    expect_settled(run.folder / "run", 24, 5 * 5 * 3e-3);
+  }
 }
 
 // The paper's drop of 1.985 m: a rod of 0.25 g that lands on its end goes in by up to 3 mm, twice its
