@@ -25,8 +25,8 @@ bed() {
 }
 
 bed ar5 -var particles 3000 -var restart_interval 5.45 # the first restart file: half filled
-bed ar2 -var aspect_ratio 2 -var particles 3000 -var restart_interval 100
-bed spheres -var aspect_ratio 1 -var particles 3000 -var restart_interval 100
-bed coarse -var surface coarse -var particles 1500 -var restart_interval 100
-bed curved -var curvature 120 -var particles 1500 -var restart_interval 100
-bed ar7 -var aspect_ratio 7 -var particles 1500 -var restart_interval 100
+bed ar2 -var aspect_ratio 2 -var particles 1500 -var restart_interval 100
+bed spheres -var aspect_ratio 1 -var particles 1500 -var restart_interval 100
+bed coarse -var surface coarse -var particles 1000 -var restart_interval 100
+bed curved -var curvature 120 -var particles 1000 -var restart_interval 100
+bed ar7 -var aspect_ratio 7 -var particles 1000 -var restart_interval 100
