@@ -2,6 +2,8 @@
 #ifndef RODPACK_PLANAR_BLOCKS_H
 #define RODPACK_PLANAR_BLOCKS_H
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,75 +15,96 @@ namespace rodpack {
 constexpr int planar_lanes = 4;
 
 /// Up to four sphere pairs of two bodies that may touch before one of the two is listed anew; the
-/// second may be a wall. Data that every step reads.
-struct alignas(64) PlanarBlock {
-  double xi[planar_lanes], yi[planar_lanes];  // sphere of i in the frame of the body, m
-  double xj[planar_lanes], yj[planar_lanes];  // of j
-  double reach[planar_lanes];                 // sum of the radii; 0: empty lane
-  double radius_i, radius_j;
-  // of the contact; friction: mu k_n, N/m; inverse_kt: 1 / kt
-  double kn, kt, inverse_kt, gamma_n, gamma_t, friction;
+/// second may be a wall. What tells whether anything happens in a block:
+struct PlanarBlockHead {
   std::int32_t i, j;  // bodies; j = -1 - wall
-  std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
-  std::uint8_t used, alive, mature, sliding;  // bit per lane; mature: its history is full
+  double gap;         // the least between spheres where the bodies were listed, m
+  double gamma[2];    // dashpots along the normal and the tangent, kg/s
+  std::int32_t law;                           // place of the other constants in PlanarForces::laws
+  std::uint8_t used, alive, mature, sliding;  // used: number of lanes, from the first; the others
+                                              // a bit per lane; mature: its history is full
 };
 
-static_assert(sizeof(PlanarBlock) == 256, "four cache lines");
-
-/// What the contacts of a block remember: read where one of them touches.
-struct alignas(64) PlanarBlockHistory {
-  double spring[planar_lanes];
-  double velocity[max_multistep_order][planar_lanes];
-  double uncut[planar_lanes];
+/// Centres of the spheres in the frames of their bodies (m); unused lanes repeat the first.
+struct alignas(64) PlanarBlock {
+  double xi[planar_lanes], yi[planar_lanes];
+  double xj[planar_lanes], yj[planar_lanes];
 };
 
-/// The rest, needed in the first steps of a contact only.
+/// Constants of the contacts of two types. friction: mu k_n, N/m.
+struct PlanarLawConstants {
+  double kn, kt, inverse_kt, friction;
+};
+
+/// What the short way never reads: which spheres they are, and the first steps of a contact.
 struct PlanarBlockBirth {
   double touch_rate[planar_lanes], since[planar_lanes];
+  std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
   std::int8_t count[planar_lanes];
   bool fresh[planar_lanes];
 };
 
-/// Blocks in one array without holes, and the list of them for each body.
+/// Blocks in one array without holes, and the list of them for each body. What the contacts of a
+/// block remember lies in `histories`: spring, uncut force and `slots` tangential velocities, each
+/// for all lanes. The velocities are a ring that turns by one in each step.
 class PlanarBlockPool {
  public:
-  explicit PlanarBlockPool(int bodies) : of_body_(bodies) {}
+  PlanarBlockPool(int bodies, int slots) : slots(slots), of_body_(bodies) {}
 
-  int size() const { return static_cast<int>(blocks.size()); }
+  int size() const { return static_cast<int>(heads.size()); }
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
-  int add(const PlanarBlock& block) {
+  int add(const PlanarBlockHead& head, const PlanarBlock& block, const PlanarBlockBirth& birth) {
     const int place = size();
+    heads.push_back(head);
     blocks.push_back(block);
-    histories.push_back(PlanarBlockHistory());
-    births.push_back(PlanarBlockBirth());
-    of_body_[block.i].push_back(place);
-    if (block.j >= 0) of_body_[block.j].push_back(place);
+    histories.resize(histories.size() + stride());
+    births.push_back(birth);
+    of_body_[head.i].push_back(place);
+    if (head.j >= 0) of_body_[head.j].push_back(place);
     return place;
   }
 
   /// The last block takes its place.
   void remove(int place) {
-    forget(blocks[place].i, place);
-    if (blocks[place].j >= 0) forget(blocks[place].j, place);
+    forget(heads[place].i, place);
+    if (heads[place].j >= 0) forget(heads[place].j, place);
     const int last = size() - 1;
     if (place != last) {
+      heads[place] = heads[last];
       blocks[place] = blocks[last];
-      histories[place] = histories[last];
+      std::copy_n(history(last), stride(), history(place));
       births[place] = births[last];
-      rename(blocks[place].i, last, place);
-      if (blocks[place].j >= 0) rename(blocks[place].j, last, place);
+      rename(heads[place].i, last, place);
+      if (heads[place].j >= 0) rename(heads[place].j, last, place);
     }
+    heads.pop_back();
     blocks.pop_back();
-    histories.pop_back();
+    histories.resize(histories.size() - stride());
     births.pop_back();
   }
 
   /// Puts the blocks in the given order: order[k] is the present place of the k-th.
   void reorder(const std::vector<int>& order);
 
+  static constexpr int spring = 0, uncut = planar_lanes;  // places in the history of a block
+  /// Place of the velocities k steps back; `turned`: as after the next turn.
+  int velocity(int k, bool turned = false) const {
+    return (2 + (newest_ + (turned ? slots - 1 : 0) + k) % slots) * planar_lanes;
+  }
+  void turn() { newest_ = (newest_ + slots - 1) % slots; }
+  int stride() const { return (2 + slots) * planar_lanes; }
+  double* history(int place) {
+    return histories.data() + static_cast<std::size_t>(place) * stride();
+  }
+  const double* history(int place) const {
+    return histories.data() + static_cast<std::size_t>(place) * stride();
+  }
+
+  const int slots;
+  AlignedVector<PlanarBlockHead> heads;
   AlignedVector<PlanarBlock> blocks;
-  AlignedVector<PlanarBlockHistory> histories;
+  AlignedVector<double> histories;
   std::vector<PlanarBlockBirth> births;
 
  private:
@@ -100,6 +123,7 @@ class PlanarBlockPool {
   }
 
   std::vector<std::vector<int>> of_body_;
+  int newest_ = 0;
 };
 
 }  // namespace rodpack

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "planar_instructions.h"
 #include "rigid_motion.h"
 
 namespace rodpack {
@@ -44,6 +45,7 @@ struct PlanarSettings {
   /// Pairs that part are followed in a step up to this times the sum of the radii, as LIGGGHTS's
   /// contact distance factor: what parts faster loses the correction of its end.
   double close_factor = 1.02;
+  PlanarInstructions instructions = PlanarInstructions::automatic;
 };
 
 struct PlanarSphere {

@@ -9,30 +9,23 @@
 #include "planar_blocks.h"
 #include "planar_contact.h"
 #include "planar_events.h"
+#include "planar_forces.h"
 #include "planar_scene.h"
 #include "tangential_history.h"
 
 namespace rodpack {
 
-/// x, y, about z, unused: one register.
-struct alignas(32) PlanarVector {
-  double d[4];
-};
-
-/// What is constant about a body, and where it was listed.
+/// What is constant about a body.
 struct PlanarBodyInfo {
   int type;
   double mass, moment, radius;
-  double reach;               // of its farthest point from the centre of mass
-  int first, count;           // of its spheres
-  double skin;                // that it was listed with
-  double x, y, cosine, sine;  // when it was listed
+  int first, count;  // of its spheres
 };
 
 /// Chains of bodies in a grid of cells, by the positions at which they were listed.
 class PlanarGrid {
  public:
-  void build(const std::vector<PlanarBodyInfo>& bodies, double cell);
+  void build(const AlignedVector<PlanarListed>& bodies, double cell);
   void move(int body, double x, double y);
   /// Calls visit(other) for all bodies of the cells around that of (x, y).
   template <class Visit>
@@ -62,25 +55,26 @@ struct PlanarScene::Data {
 
   // planar_scene.cpp
   void integrate();
-  void advance_all();
   void make_missed_motion(int body);
   void fill_past(int body);
   void apply_events();
   void begin_forces();
   // planar_lists.cpp
   void list_all();
+  void mark_listed(int body);
   void renew_lists();
   void list(int body);
   void list_pair(int i, int j);
   void list_walls(int i);
   void sort_blocks();
   double wanted_skin(int body) const;
-  void set_coefficients(PlanarBlock& block) const;
+  void set_coefficients(PlanarBlockHead& head) const;
   // planar_forces.cpp
-  void evaluate_pairs();
-  void evaluate_walls();
+  void evaluate_forces();
+  PlanarForces forces_of(PlanarBlockPool& pool);
+  void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
-  bool place_lane(const PlanarBlock& block, int lane, PlanarContact& contact) const;
+  bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
 
   TangentialStep tangential_step() const { return {settings.order, now, settings.dt}; }
@@ -91,6 +85,7 @@ struct PlanarScene::Data {
   int slots;         // tangential velocities that a contact keeps
   double now = 0.0;  // number of the step that is evaluated
   bool lists_exist = false;
+  PlanarKernel kernel;
 
   AlignedVector<PlanarFrame> frames;
   AlignedVector<PlanarVector> loads, weights;  // weight: force and torque without contacts
@@ -99,13 +94,18 @@ struct PlanarScene::Data {
   AlignedVector<PlanarVector> past_acceleration[max_multistep_order - 1];
   std::vector<std::int8_t> evaluations;
   AlignedVector<PlanarVector> missed_displacement, missed_velocity;
-  std::vector<int> missed;  // bodies with missed motion
+  std::vector<int> missed;   // bodies with missed motion
+  std::vector<int> newborn;  // without an evaluation yet
   std::vector<PlanarBodyInfo> info;
   std::vector<PlanarSphere> spheres;
+  AlignedVector<PlanarListed> listed;
+  std::vector<double> moved;  // since a body was listed, at most, m
+  std::vector<PlanarLawConstants> laws;
 
   PlanarBlockPool pairs, at_walls;
   PlanarGrid grid;
   std::vector<int> to_list, near;
+  std::vector<PlanarGeneral> general;
   struct Saved {  // contacts of a body while it is listed anew
     int i, j;
     std::uint16_t sphere_i, sphere_j;
@@ -120,10 +120,11 @@ struct PlanarScene::Data {
   PlanarScene::Statistics statistics = {};
 };
 
-/// Moves a contact between a lane and a record of its own.
+/// Moves a contact between a lane and a record of its own. `turned`: as after the next turn of the
+/// velocities.
 void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved);
 void restore_lane(PlanarBlockPool& pool, int place, int lane,
-                  const PlanarScene::Data::Saved& saved);
+                  const PlanarScene::Data::Saved& saved, bool turned = false);
 void clear_lane(PlanarBlockPool& pool, int place, int lane);
 
 }  // namespace rodpack

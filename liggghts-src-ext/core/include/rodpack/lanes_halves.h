@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_LANE_HALVES_H
-#define RODPACK_LANE_HALVES_H
+// Four doubles at a time, as two halves of two, for any processor whose registers hold that many;
+// see planar_kernel.h. The compiler would split vectors of four too, but sends each operation
+// through memory.
 
-#include <cmath>
-
-namespace rodpack {
-
-// lanes.h for processors whose registers hold two doubles.
+constexpr int lane_blocks = 1;  // blocks that are evaluated at a time
 
 typedef double HalfLanes __attribute__((vector_size(16), may_alias));
 typedef long long HalfMask __attribute__((vector_size(16), may_alias));
@@ -52,8 +49,17 @@ inline void store_lanes(double* values, Lanes x) {
   halves[0] = x.low;
   halves[1] = x.high;
 }
-inline Lanes lane_sqrt(Lanes x) {
-  return {std::sqrt(x.low[0]), std::sqrt(x.low[1]), std::sqrt(x.high[0]), std::sqrt(x.high[1])};
+inline HalfLanes half_sqrt(HalfLanes x) {
+#ifdef __SSE2__
+  return (HalfLanes)_mm_sqrt_pd((__m128d)x);
+#else
+  return HalfLanes{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
+#endif
+}
+/// The root and its inverse.
+inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
+  root = {half_sqrt(square.low), half_sqrt(square.high)};
+  inverse = 1.0 / root;
 }
 inline LaneMask lane_less(Lanes a, Lanes b) { return {a.low < b.low, a.high < b.high}; }
 inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
@@ -63,16 +69,39 @@ inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
   return {(HalfLanes)((mask.low & (HalfMask)a.low) | (~mask.low & (HalfMask)b.low)),
           (HalfLanes)((mask.high & (HalfMask)a.high) | (~mask.high & (HalfMask)b.high))};
 }
+/// Bit k: lane k is true.
 inline int lane_bits(LaneMask mask) {
+#ifdef __SSE2__
+  return _mm_movemask_pd((__m128d)mask.low) | _mm_movemask_pd((__m128d)mask.high) << 2;
+#else
   return (mask.low[0] ? 1 : 0) | (mask.low[1] ? 2 : 0) | (mask.high[0] ? 4 : 0) |
          (mask.high[1] ? 8 : 0);
+#endif
 }
-inline Lanes lane_sums(Lanes a, Lanes b, Lanes c, Lanes d) {
+inline Lanes all_lanes(double x) { return {x, x, x, x}; }
+inline LaneMask lanes_of_bits(int bits) {
+  return {-static_cast<long long>(bits & 1), -static_cast<long long>(bits >> 1 & 1),
+          -static_cast<long long>(bits >> 2 & 1), -static_cast<long long>(bits >> 3 & 1)};
+}
+
+/// of[b][index] in all lanes of block b.
+inline Lanes each_block(const double* const (&of)[1], int index) { return all_lanes(of[0][index]); }
+/// Four values for block b, from of[b] + index.
+inline Lanes lanes_of(double* const (&of)[1], int index) { return load_lanes(of[0] + index); }
+inline void keep_lanes(LaneMask where, double* const (&of)[1], int index, Lanes x) {
+  store_lanes(of[0] + index, lane_choice(where, x, load_lanes(of[0] + index)));
+}
+/// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
+/// whose last values may become anything.
+inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[1],
+                      double* const (&on_j)[1]) {
   const HalfLanes p = a.low + a.high, q = b.low + b.high;
   const HalfLanes r = c.low + c.high, s = d.low + d.high;
-  return {p[0] + p[1], q[0] + q[1], r[0] + r[1], s[0] + s[1]};
+  const HalfLanes force = {p[0] + p[1], q[0] + q[1]};
+  HalfLanes *const i = reinterpret_cast<HalfLanes*>(on_i[0]);
+  HalfLanes *const j = reinterpret_cast<HalfLanes*>(on_j[0]);
+  i[0] += force;
+  i[1] += HalfLanes{r[0] + r[1], 0.0};
+  j[0] -= force;
+  j[1] -= HalfLanes{s[0] + s[1], 0.0};
 }
-
-}  // namespace rodpack
-
-#endif
