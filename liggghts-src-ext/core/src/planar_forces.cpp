@@ -17,8 +17,7 @@ void PlanarScene::Data::evaluate_forces() {
 PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
   PlanarForces forces = PlanarForces();
   forces.heads = pool.heads.data();
-  forces.blocks = pool.blocks.data();
-  forces.histories = pool.histories.data();
+  forces.values = pool.all_values.data();
   forces.count = pool.size();
   forces.stride = pool.stride();
   forces.newest = pool.velocity(0, true);
@@ -27,6 +26,7 @@ PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
   forces.loads = loads.data();
   forces.jumped = events.jumped();
   forces.laws = laws.data();
+  forces.one_law = laws.size() == 1;
   forces.walls = settings.walls.data();
   forces.order = settings.order;
   const MultistepWeights& weights = adams_bashforth_weights(settings.order);
@@ -52,14 +52,14 @@ void PlanarScene::Data::evaluate_general(PlanarBlockPool& pool, int entries) {
 bool PlanarScene::Data::place_lane(const PlanarBlockPool& pool, int place, int lane,
                                    PlanarContact& contact) const {
   const PlanarBlockHead& head = pool.heads[place];
-  const PlanarBlock& block = pool.blocks[place];
+  const double* const values = pool.values(place) + lane;
   const PlanarLawConstants& law = laws[head.law];
   contact.body_i = head.i;
   contact.body_j = head.j;
-  contact.offset_i[0] = block.xi[lane];
-  contact.offset_i[1] = block.yi[lane];
-  contact.offset_j[0] = block.xj[lane];
-  contact.offset_j[1] = block.yj[lane];
+  contact.offset_i[0] = values[planar_xi];
+  contact.offset_i[1] = values[planar_yi];
+  contact.offset_j[0] = values[planar_xj];
+  contact.offset_j[1] = values[planar_yj];
   contact.radi = frames[head.i].radius;
   contact.radj = head.j < 0 ? 0.0 : frames[head.j].radius;
   contact.kn = law.kn;

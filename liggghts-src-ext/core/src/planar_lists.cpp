@@ -58,15 +58,12 @@ void PlanarGrid::move(int body, double x, double y) {
 
 void PlanarBlockPool::reorder(const std::vector<int>& order) {
   const AlignedVector<PlanarBlockHead> old_heads(heads);
-  const AlignedVector<PlanarBlock> old_blocks(blocks);
-  const AlignedVector<double> old_histories(histories);
+  const AlignedVector<double> old_values(all_values);
   const std::vector<PlanarBlockBirth> old_births(births);
   for (std::vector<int>& list : of_body_) list.clear();
   for (int k = 0; k < size(); ++k) {
     heads[k] = old_heads[order[k]];
-    blocks[k] = old_blocks[order[k]];
-    std::copy_n(&old_histories[static_cast<std::size_t>(order[k]) * stride()], stride(),
-                history(k));
+    std::copy_n(&old_values[static_cast<std::size_t>(order[k]) * stride()], stride(), values(k));
     births[k] = old_births[order[k]];
     of_body_[heads[k].i].push_back(k);
     if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
@@ -75,7 +72,7 @@ void PlanarBlockPool::reorder(const std::vector<int>& order) {
 
 void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved) {
   const PlanarBlockHead& head = pool.heads[place];
-  const double* const history = pool.history(place) + lane;
+  const double* const values = pool.values(place) + lane;
   const PlanarBlockBirth& birth = pool.births[place];
   const int bit = 1 << lane;
   saved.i = head.i;
@@ -86,10 +83,10 @@ void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Da
   saved.mature = (head.mature & bit) != 0;
   saved.fresh = birth.fresh[lane];
   saved.count = birth.count[lane];
-  saved.spring = history[PlanarBlockPool::spring];
+  saved.spring = values[planar_spring];
   for (int k = 0; k < max_multistep_order; ++k)
-    saved.velocity[k] = k < pool.slots ? history[pool.velocity(k)] : 0.0;
-  saved.uncut = history[PlanarBlockPool::uncut];
+    saved.velocity[k] = k < pool.slots ? values[pool.velocity(k)] : 0.0;
+  saved.uncut = values[planar_uncut];
   saved.touch_rate = birth.touch_rate[lane];
   saved.since = birth.since[lane];
 }
@@ -97,7 +94,7 @@ void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Da
 void restore_lane(PlanarBlockPool& pool, int place, int lane,
                   const PlanarScene::Data::Saved& saved, bool turned) {
   PlanarBlockHead& head = pool.heads[place];
-  double* const history = pool.history(place) + lane;
+  double* const values = pool.values(place) + lane;
   PlanarBlockBirth& birth = pool.births[place];
   const auto set = [&](std::uint8_t& bits, bool on) {
     bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
@@ -109,9 +106,9 @@ void restore_lane(PlanarBlockPool& pool, int place, int lane,
   birth.count[lane] = saved.count;
   birth.touch_rate[lane] = saved.touch_rate;
   birth.since[lane] = saved.since;
-  history[PlanarBlockPool::spring] = saved.spring;
-  for (int k = 0; k < pool.slots; ++k) history[pool.velocity(k, turned)] = saved.velocity[k];
-  history[PlanarBlockPool::uncut] = saved.uncut;
+  values[planar_spring] = saved.spring;
+  for (int k = 0; k < pool.slots; ++k) values[pool.velocity(k, turned)] = saved.velocity[k];
+  values[planar_uncut] = saved.uncut;
 }
 
 void clear_lane(PlanarBlockPool& pool, int place, int lane) {
@@ -141,6 +138,14 @@ void PlanarScene::Data::mark_listed(int body) {
   PlanarListed& at = listed[body];
   const PlanarFrame& frame = frames[body];
   at = {frame.x, frame.y, frame.cosine, frame.sine, at.reach, wanted_skin(body)};
+  PlanarListedLanes& lanes = listed_lanes[body / planar_lanes];
+  const int lane = body % planar_lanes;
+  lanes.x[lane] = at.x;
+  lanes.y[lane] = at.y;
+  lanes.cosine[lane] = at.cosine;
+  lanes.sine[lane] = at.sine;
+  lanes.reach[lane] = at.reach;
+  lanes.skin[lane] = at.skin;
   moved[body] = 0.0;
 }
 
@@ -198,8 +203,8 @@ void PlanarScene::Data::list(int body) {
       const PlanarBlockHead& head = pool.heads[place];
       if (head.i != contact.i || head.j != contact.j) continue;
       const PlanarBlockBirth& birth = pool.births[place];
-      for (int lane = 0; lane < head.used; ++lane)
-        if (birth.sphere_i[lane] == contact.sphere_i && birth.sphere_j[lane] == contact.sphere_j)
+      for (int lane = 0; lane < planar_lanes; ++lane)
+        if ((head.used & 1 << lane) && birth.sphere_i[lane] == contact.sphere_i && birth.sphere_j[lane] == contact.sphere_j)
           restore_lane(pool, place, lane, contact);
     }
   }
@@ -223,21 +228,23 @@ void add_blocks(PlanarBlockPool& pool, PlanarBlockHead head, std::vector<Candida
   });
   const int count = static_cast<int>(candidates.size());
   for (int first = 0; first < count; first += planar_lanes) {
-    PlanarBlock block;
     PlanarBlockBirth birth = PlanarBlockBirth();
-    head.used = static_cast<std::uint8_t>(std::min(planar_lanes, count - first));
+    const int used = std::min(planar_lanes, count - first);
+    head.used = static_cast<std::uint8_t>((1 << used) - 1);
     head.gap = candidates[first].gap;
     for (int lane = 0; lane < planar_lanes; ++lane) {
-      const Candidate& pair = candidates[first + (lane < head.used ? lane : 0)];
-      const PlanarSphere &i = of_i[pair.sphere_i], &j = of_j[pair.sphere_j];
-      block.xi[lane] = i.x;
-      block.yi[lane] = i.y;
-      block.xj[lane] = j.x;
-      block.yj[lane] = j.y;
+      const Candidate& pair = candidates[first + (lane < used ? lane : 0)];
       birth.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);
       birth.sphere_j[lane] = static_cast<std::uint16_t>(pair.sphere_j);
     }
-    pool.add(head, block, birth);
+    double* const values = pool.values(pool.add(head, birth));
+    for (int lane = 0; lane < planar_lanes; ++lane) {
+      const PlanarSphere &i = of_i[birth.sphere_i[lane]], &j = of_j[birth.sphere_j[lane]];
+      values[planar_xi + lane] = i.x;
+      values[planar_yi + lane] = i.y;
+      values[planar_xj + lane] = j.x;
+      values[planar_yj + lane] = j.y;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -69,7 +70,11 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
   }
   info.resize(count);
   listed.resize(count);
-  moved.resize(count);
+  const std::size_t registers = (count + planar_lanes - 1) / planar_lanes;
+  listed_lanes.resize(registers);
+  for (PlanarListedLanes& lanes : listed_lanes)
+    std::fill_n(lanes.skin, planar_lanes, std::numeric_limits<double>::infinity());
+  moved.resize(registers * planar_lanes);
   for (const PlanarLaw& law : settings.laws)
     laws.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
   evaluations.resize(count);
@@ -160,7 +165,7 @@ void PlanarScene::Data::integrate() {
     const MultistepWeights& of_force = multistep_weights(order, known);
     std::copy(of_force.begin(), of_force.end(), motions.force_weights[known]);
   }
-  motions.listed = listed.data();
+  motions.listed = listed_lanes.data();
   motions.moved = moved.data();
   to_list.resize(info.size());
   motions.to_list = to_list.data();
@@ -265,7 +270,8 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
       const PlanarBlockHead& head = pool.heads[place];
       if (head.i != saved.i || head.j != saved.j) continue;
       const PlanarBlockBirth& birth = pool.births[place];
-      for (int lane = 0; lane < head.used; ++lane) {
+      for (int lane = 0; lane < planar_lanes; ++lane) {
+        if (!(head.used & 1 << lane)) continue;
         if (birth.sphere_i[lane] != sphere_i || birth.sphere_j[lane] != sphere_j) continue;
         restore_lane(pool, place, lane, saved);
         found = true;

@@ -9,9 +9,10 @@ typedef long long LaneMask __attribute__((vector_size(32), may_alias));  // all 
 inline Lanes load_lanes(const double* values) { return *reinterpret_cast<const Lanes*>(values); }
 inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<Lanes*>(values) = x; }
 inline Lanes all_lanes(double x) { return Lanes{x, x, x, x}; }
+inline Lanes lane_sqrt(Lanes x) { return (Lanes)_mm256_sqrt_pd((__m256d)x); }
 /// The root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
-  root = (Lanes)_mm256_sqrt_pd((__m256d)square);
+  root = lane_sqrt(square);
   inverse = 1.0 / root;
 }
 inline LaneMask lane_less(Lanes a, Lanes b) { return a < b; }
@@ -31,6 +32,18 @@ inline LaneMask lanes_of_bits(int bits) {
       {0, 0, 0, -1},  {-1, 0, 0, -1},  {0, -1, 0, -1},  {-1, -1, 0, -1},
       {0, 0, -1, -1}, {-1, 0, -1, -1}, {0, -1, -1, -1}, {-1, -1, -1, -1}};
   return masks[bits];
+}
+
+/// Makes rows of columns.
+inline void transpose_lanes(Lanes (&rows)[4]) {
+  const __m256d a = (__m256d)rows[0], b = (__m256d)rows[1];
+  const __m256d c = (__m256d)rows[2], d = (__m256d)rows[3];
+  const __m256d low_ab = _mm256_unpacklo_pd(a, b), high_ab = _mm256_unpackhi_pd(a, b);
+  const __m256d low_cd = _mm256_unpacklo_pd(c, d), high_cd = _mm256_unpackhi_pd(c, d);
+  rows[0] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x20);
+  rows[1] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x20);
+  rows[2] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x31);
+  rows[3] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x31);
 }
 
 /// of[b][index] in all lanes of block b.

@@ -9,23 +9,17 @@ typedef double Lanes __attribute__((vector_size(64), may_alias));
 struct LaneMask {
   __mmask8 bits;
 };
-inline LaneMask mask_of(int bits) { return {static_cast<__mmask8>(bits)}; }
-inline LaneMask operator&(LaneMask a, LaneMask b) { return mask_of(a.bits & b.bits); }
-inline LaneMask operator|(LaneMask a, LaneMask b) { return mask_of(a.bits | b.bits); }
-inline LaneMask operator^(LaneMask a, LaneMask b) { return mask_of(a.bits ^ b.bits); }
-inline LaneMask operator~(LaneMask a) { return mask_of(~a.bits); }
+inline LaneMask operator&(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
+inline LaneMask operator|(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
+inline LaneMask operator^(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits ^ b.bits)}; }
+inline LaneMask operator~(LaneMask a) { return {static_cast<__mmask8>(~a.bits)}; }
 inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
 
 inline Lanes all_lanes(double x) { return (Lanes)_mm512_set1_pd(x); }
-/// The root and its inverse, to an ulp or two: the estimate of 14 bits is brought to 42 by a step
-/// of third order and beyond 53 by one of Newton's; the root is corrected once more.
+/// The root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
-  Lanes y = (Lanes)_mm512_rsqrt14_pd((__m512d)square);
-  const Lanes error = 1.0 - square * y * y;
-  y += y * error * (0.5 + 0.375 * error);
-  const Lanes r = square * y, half = 0.5 * y;
-  root = r + half * (square - r * r);
-  inverse = y + half * (1.0 - r * y);
+  root = (Lanes)_mm512_sqrt_pd((__m512d)square);
+  inverse = 1.0 / root;
 }
 inline LaneMask lane_less(Lanes a, Lanes b) {
   return {_mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_LT_OQ)};
@@ -38,7 +32,7 @@ inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
   return (mask & a) | (~mask & b);
 }
 inline int lane_bits(LaneMask mask) { return mask.bits; }
-inline LaneMask lanes_of_bits(int bits) { return mask_of(bits); }
+inline LaneMask lanes_of_bits(int bits) { return {static_cast<__mmask8>(bits)}; }
 
 /// of[b][index] in all lanes of block b.
 inline Lanes each_block(const double* const (&of)[2], int index) {
@@ -51,8 +45,9 @@ inline Lanes lanes_of(double* const (&of)[2], int index) {
   return (Lanes)_mm512_mask_broadcast_f64x4(first, 0xf0, _mm256_load_pd(of[1] + index));
 }
 inline void keep_lanes(LaneMask where, double* const (&of)[2], int index, Lanes x) {
-  _mm256_mask_store_pd(of[0] + index, where.bits & 15, _mm512_castpd512_pd256((__m512d)x));
-  _mm256_mask_store_pd(of[1] + index, where.bits >> 4, _mm512_maskz_extractf64x4_pd(15, (__m512d)x, 1));
+  const __m512d kept = (__m512d)lane_choice(where, x, lanes_of(of, index));
+  _mm256_store_pd(of[1] + index, _mm512_extractf64x4_pd(kept, 1));
+  _mm256_store_pd(of[0] + index, _mm512_castpd512_pd256(kept));
 }
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.
@@ -65,7 +60,7 @@ inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[
   const __m512d sums = _mm512_add_pd(
       _mm512_permutex2var_pd(ab, _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), cd),
       _mm512_permutex2var_pd(ab, _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15), cd));
-  const __m256d of[2] = {_mm512_castpd512_pd256(sums), _mm512_maskz_extractf64x4_pd(15, sums, 1)};
+  const __m256d of[2] = {_mm512_castpd512_pd256(sums), _mm512_extractf64x4_pd(sums, 1)};
   for (int k = 0; k < 2; ++k) {  // the two may act on the same body
     _mm256_store_pd(on_i[k], _mm256_add_pd(_mm256_load_pd(on_i[k]), of[k]));
     _mm256_store_pd(on_j[k], _mm256_sub_pd(_mm256_load_pd(on_j[k]),

@@ -56,9 +56,10 @@ inline HalfLanes half_sqrt(HalfLanes x) {
   return HalfLanes{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
 #endif
 }
+inline Lanes lane_sqrt(Lanes x) { return {half_sqrt(x.low), half_sqrt(x.high)}; }
 /// The root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
-  root = {half_sqrt(square.low), half_sqrt(square.high)};
+  root = lane_sqrt(square);
   inverse = 1.0 / root;
 }
 inline LaneMask lane_less(Lanes a, Lanes b) { return {a.low < b.low, a.high < b.high}; }
@@ -82,6 +83,15 @@ inline Lanes all_lanes(double x) { return {x, x, x, x}; }
 inline LaneMask lanes_of_bits(int bits) {
   return {-static_cast<long long>(bits & 1), -static_cast<long long>(bits >> 1 & 1),
           -static_cast<long long>(bits >> 2 & 1), -static_cast<long long>(bits >> 3 & 1)};
+}
+
+/// Makes rows of columns.
+inline void transpose_lanes(Lanes (&rows)[4]) {
+  const Lanes a = rows[0], b = rows[1], c = rows[2], d = rows[3];
+  rows[0] = {a.low[0], b.low[0], c.low[0], d.low[0]};
+  rows[1] = {a.low[1], b.low[1], c.low[1], d.low[1]};
+  rows[2] = {a.high[0], b.high[0], c.high[0], d.high[0]};
+  rows[3] = {a.high[1], b.high[1], c.high[1], d.high[1]};
 }
 
 /// of[b][index] in all lanes of block b.

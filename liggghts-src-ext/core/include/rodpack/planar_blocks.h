@@ -21,14 +21,22 @@ struct PlanarBlockHead {
   double gap;         // the least between spheres where the bodies were listed, m
   double gamma[2];    // dashpots along the normal and the tangent, kg/s
   std::int32_t law;                           // place of the other constants in PlanarForces::laws
-  std::uint8_t used, alive, mature, sliding;  // used: number of lanes, from the first; the others
-                                              // a bit per lane; mature: its history is full
+  // Bit per lane. mature: its history is full. Together they are `flags` of the inner loops.
+  std::uint8_t used, alive, mature, sliding;
 };
 
-/// Centres of the spheres in the frames of their bodies (m); unused lanes repeat the first.
-struct alignas(64) PlanarBlock {
-  double xi[planar_lanes], yi[planar_lanes];
-  double xj[planar_lanes], yj[planar_lanes];
+/// Places of what is known about the lanes of a block in its values, each for all lanes.
+enum PlanarBlockValue {
+  // centres of the spheres in the frames of their bodies, m; unused lanes repeat the first
+  planar_xi = 0,
+  planar_yi = planar_lanes,
+  planar_xj = 2 * planar_lanes,
+  planar_yj = 3 * planar_lanes,
+  // what a contact remembers: spring (m), force before the cut at 0 (N), and `slots` tangential
+  // velocities (m/s), a ring that turns by one in each step
+  planar_spring = 4 * planar_lanes,
+  planar_uncut = 5 * planar_lanes,
+  planar_velocities = 6 * planar_lanes
 };
 
 /// Constants of the contacts of two types. friction: mu k_n, N/m.
@@ -44,9 +52,7 @@ struct PlanarBlockBirth {
   bool fresh[planar_lanes];
 };
 
-/// Blocks in one array without holes, and the list of them for each body. What the contacts of a
-/// block remember lies in `histories`: spring, uncut force and `slots` tangential velocities, each
-/// for all lanes. The velocities are a ring that turns by one in each step.
+/// Blocks in arrays without holes, and the list of them for each body.
 class PlanarBlockPool {
  public:
   PlanarBlockPool(int bodies, int slots) : slots(slots), of_body_(bodies) {}
@@ -54,11 +60,11 @@ class PlanarBlockPool {
   int size() const { return static_cast<int>(heads.size()); }
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
-  int add(const PlanarBlockHead& head, const PlanarBlock& block, const PlanarBlockBirth& birth) {
+  /// The values of the new block are 0.
+  int add(const PlanarBlockHead& head, const PlanarBlockBirth& birth) {
     const int place = size();
     heads.push_back(head);
-    blocks.push_back(block);
-    histories.resize(histories.size() + stride());
+    all_values.resize(all_values.size() + stride());
     births.push_back(birth);
     of_body_[head.i].push_back(place);
     if (head.j >= 0) of_body_[head.j].push_back(place);
@@ -72,39 +78,35 @@ class PlanarBlockPool {
     const int last = size() - 1;
     if (place != last) {
       heads[place] = heads[last];
-      blocks[place] = blocks[last];
-      std::copy_n(history(last), stride(), history(place));
+      std::copy_n(values(last), stride(), values(place));
       births[place] = births[last];
       rename(heads[place].i, last, place);
       if (heads[place].j >= 0) rename(heads[place].j, last, place);
     }
     heads.pop_back();
-    blocks.pop_back();
-    histories.resize(histories.size() - stride());
+    all_values.resize(all_values.size() - stride());
     births.pop_back();
   }
 
   /// Puts the blocks in the given order: order[k] is the present place of the k-th.
   void reorder(const std::vector<int>& order);
 
-  static constexpr int spring = 0, uncut = planar_lanes;  // places in the history of a block
-  /// Place of the velocities k steps back; `turned`: as after the next turn.
+  /// Place of the velocities k steps back in the values; `turned`: as after the next turn.
   int velocity(int k, bool turned = false) const {
-    return (2 + (newest_ + (turned ? slots - 1 : 0) + k) % slots) * planar_lanes;
+    return planar_velocities + (newest_ + (turned ? slots - 1 : 0) + k) % slots * planar_lanes;
   }
   void turn() { newest_ = (newest_ + slots - 1) % slots; }
-  int stride() const { return (2 + slots) * planar_lanes; }
-  double* history(int place) {
-    return histories.data() + static_cast<std::size_t>(place) * stride();
+  int stride() const { return planar_velocities + slots * planar_lanes; }
+  double* values(int place) {
+    return all_values.data() + static_cast<std::size_t>(place) * stride();
   }
-  const double* history(int place) const {
-    return histories.data() + static_cast<std::size_t>(place) * stride();
+  const double* values(int place) const {
+    return all_values.data() + static_cast<std::size_t>(place) * stride();
   }
 
   const int slots;
   AlignedVector<PlanarBlockHead> heads;
-  AlignedVector<PlanarBlock> blocks;
-  AlignedVector<double> histories;
+  AlignedVector<double> all_values;
   std::vector<PlanarBlockBirth> births;
 
  private:

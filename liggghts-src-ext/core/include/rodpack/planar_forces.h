@@ -25,10 +25,9 @@ struct PlanarGeneral {
 struct PlanarForces {
   // blocks
   PlanarBlockHead* heads;
-  PlanarBlock* blocks;
-  double* histories;
-  int count, stride;
-  int velocity[max_multistep_order];  // places of those k + 1 steps back in the history of a block
+  double* values;
+  int count, stride;                  // stride: of the values of a block
+  int velocity[max_multistep_order];  // places of those k + 1 steps back in them
   int newest;                         // of that of now
   // bodies
   const PlanarFrame* frames;
@@ -37,6 +36,7 @@ struct PlanarForces {
   const char* jumped;  // in the step before; null: none
   // law
   const PlanarLawConstants* laws;
+  bool one_law;
   const PlanarWall* walls;
   int order;
   double spring_weights[max_multistep_order];  // times dt
@@ -45,10 +45,16 @@ struct PlanarForces {
 };
 
 /// Where a body was listed.
-struct alignas(64) PlanarListed {
+struct PlanarListed {
   double x, y, cosine, sine;
   double reach;  // of its farthest point from the centre of mass, m
   double skin;   // that it was listed with
+};
+
+/// The same for as many bodies as there are lanes; one that is not there has an endless skin.
+struct alignas(64) PlanarListedLanes {
+  double x[planar_lanes], y[planar_lanes], cosine[planar_lanes], sine[planar_lanes];
+  double reach[planar_lanes], skin[planar_lanes];
 };
 
 /// Bodies, and what their motion needs.
@@ -63,9 +69,9 @@ struct PlanarMotions {
   signed char* evaluations;
   double velocity_weights[max_multistep_order];
   double force_weights[max_multistep_order + 2][max_multistep_order];  // after so many evaluations
-  const PlanarListed* listed;
-  double* moved;
-  int* to_list;  // room for all bodies
+  const PlanarListedLanes* listed;
+  double* moved;  // room for whole lanes
+  int* to_list;   // room for all bodies
 };
 
 /// The functions of one set of instructions.

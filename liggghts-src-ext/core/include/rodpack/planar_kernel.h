@@ -11,127 +11,122 @@
 typedef double* const BlockValues[lane_blocks];
 typedef const double* const BlockConstants[lane_blocks];
 
-/// Forces of the lanes `done` on i, along the normal and the tangent z x n; 0 in the others.
+/// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the short way.
 struct LaneForces {
   Lanes normal, tangential;
-  int done, general;  // general: lanes that need the general way after all
+  int general;  // lanes that need the general way after all
 };
 
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
 /// step. `sliding`: lanes that slid; becomes those that do.
-inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], BlockValues& history,
+inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], BlockValues& values,
                                  Lanes overlap, Lanes vn, Lanes vt, int lasting, int& sliding,
                                  const PlanarForces& forces) {
   const double* gammas[lane_blocks];
-  const double* laws[lane_blocks];
-  bool damped = false;
-  for (int b = 0; b < lane_blocks; ++b) {
-    gammas[b] = heads[b]->gamma;
-    laws[b] = reinterpret_cast<const double*>(&forces.laws[heads[b]->law]);
-    damped = damped || heads[b]->gamma[1] > 0.0;
-  }
+  for (int b = 0; b < lane_blocks; ++b) gammas[b] = heads[b]->gamma;
   const Lanes zero = all_lanes(0.0);
   const Lanes gamma_n = each_block(gammas, 0), gamma_t = each_block(gammas, 1);
-  const Lanes kn = each_block(laws, 0), kt = each_block(laws, 1);
-  const Lanes inverse_kt = each_block(laws, 2), friction = each_block(laws, 3);
+  Lanes kn = all_lanes(forces.laws->kn), kt = all_lanes(forces.laws->kt);
+  Lanes inverse_kt = all_lanes(forces.laws->inverse_kt);
+  Lanes friction = all_lanes(forces.laws->friction);
+  if (!forces.one_law) {
+    const double* laws[lane_blocks];
+    for (int b = 0; b < lane_blocks; ++b)
+      laws[b] = reinterpret_cast<const double*>(&forces.laws[heads[b]->law]);
+    kn = each_block(laws, 0);
+    kt = each_block(laws, 1);
+    inverse_kt = each_block(laws, 2);
+    friction = each_block(laws, 3);
+  }
 
   const Lanes uncut = kn * overlap - gamma_n * vn;
-  const Lanes spring_before = lanes_of(history, PlanarBlockPool::spring);
+  const Lanes spring_before = lanes_of(values, planar_spring);
   Lanes spring = spring_before;
   for (int k = 0; k < forces.order; ++k)
-    spring += forces.spring_weights[k] * lanes_of(history, forces.velocity[k]);
+    spring += forces.spring_weights[k] * lanes_of(values, forces.velocity[k]);
   const Lanes trial = -(kt * spring + gamma_t * vt);
   const Lanes cap = friction * overlap;
   const LaneMask negative = lane_less(trial, zero);
   const Lanes strength = lane_choice(negative, -trial, trial);
   const LaneMask pushes = lane_less(zero, uncut);
   LaneMask slides = lane_less(cap, strength);
+  LaneMask acts = lanes_of_bits(lasting);
   LaneForces result;
   result.general = 0;
   if (forces.follows) {
-    const LaneMask pushed = lane_less(zero, lanes_of(history, PlanarBlockPool::uncut));
+    const LaneMask pushed = lane_less(zero, lanes_of(values, planar_uncut));
     LaneMask changes = pushes ^ pushed;
-    if (damped) {
-      // Sliding goes on while the velocity keeps the direction of the spring.
-      const LaneMask slid = lanes_of_bits(sliding), with_dashpot = lane_less(zero, gamma_t);
-      const LaneMask goes_on = lane_less(zero, vt * spring_before);
-      changes |= with_dashpot & lane_choice(slid, ~goes_on, slides);
-      slides = lane_choice(with_dashpot, slid, slides);
-    }
-    result.general = lane_bits(changes) & lasting;
+    // Sliding goes on while the velocity keeps the direction of the spring.
+    const LaneMask slid = lanes_of_bits(sliding), with_dashpot = lane_less(zero, gamma_t);
+    const LaneMask goes_on = lane_less(zero, vt * spring_before);
+    changes = (changes | (with_dashpot & lane_choice(slid, ~goes_on, slides))) & acts;
+    slides = lane_choice(with_dashpot, slid, slides);
+    acts = acts & ~changes;
+    result.general = lane_bits(changes);
   }
-  result.done = lasting & ~result.general;
-
-  const LaneMask acts = lanes_of_bits(result.done);
   const Lanes limited = lane_choice(negative, -cap, cap);
   const Lanes tangential = lane_choice(slides, limited, trial);
   result.normal = lane_choice(acts & pushes, uncut, zero);
   result.tangential = lane_choice(acts, tangential, zero);
   spring = lane_choice(slides, -limited * inverse_kt, spring);
-  keep_lanes(acts, history, PlanarBlockPool::spring, spring);
-  keep_lanes(acts, history, PlanarBlockPool::uncut, uncut);
-  keep_lanes(acts, history, forces.newest, vt);
-  sliding = (sliding & ~result.done) | (lane_bits(slides) & result.done);
+  keep_lanes(acts, values, planar_spring, spring);
+  keep_lanes(acts, values, planar_uncut, uncut);
+  keep_lanes(acts, values, forces.newest, vt);
+  sliding = lane_bits(lane_choice(acts, slides, lanes_of_bits(sliding)));
   return result;
 }
 
-// Values of a PlanarFrame and places in a PlanarBlock, in doubles.
+// Values of a PlanarFrame, in doubles.
 enum { frame_x, frame_y, frame_cosine, frame_sine, frame_vx, frame_vy, frame_spin, frame_radius };
-enum {
-  block_xi,
-  block_yi = planar_lanes,
-  block_xj = 2 * planar_lanes,
-  block_yj = 3 * planar_lanes
-};
 
 /// Spheres' centres from that of their body.
 struct Arms {
   Lanes x, y;
 };
 
-inline Arms arms_of(BlockValues& block, int x, int y, BlockConstants& frame) {
-  const Lanes bx = lanes_of(block, x), by = lanes_of(block, y);
+inline Arms arms_of(BlockValues& values, int x, int y, BlockConstants& frame) {
+  const Lanes bx = lanes_of(values, x), by = lanes_of(values, y);
   const Lanes cosine = each_block(frame, frame_cosine), sine = each_block(frame, frame_sine);
   return {cosine * bx - sine * by, sine * bx + cosine * by};
 }
 
-/// Lane bits of the blocks.
-inline int lanes_in_use(PlanarBlockHead* const (&heads)[lane_blocks]) {
-  int bits = 0;
-  for (int b = 0; b < lane_blocks; ++b) bits |= ((1 << heads[b]->used) - 1) << b * planar_lanes;
-  return bits;
-}
-inline int lane_bits_of(PlanarBlockHead* const (&heads)[lane_blocks],
-                        std::uint8_t PlanarBlockHead::*bits) {
-  int result = 0;
-  for (int b = 0; b < lane_blocks; ++b) result |= heads[b]->*bits << b * planar_lanes;
-  return result;
-}
-inline void set_sliding(PlanarBlockHead* const (&heads)[lane_blocks], int bits) {
-  for (int b = 0; b < lane_blocks; ++b)
-    heads[b]->sliding = static_cast<std::uint8_t>(bits >> b * planar_lanes & 15);
+/// What a PlanarHead knows of its lanes; the lanes of the blocks side by side.
+struct LaneFlags {
+  int used, alive, mature, sliding;
+};
+inline LaneFlags flags_of(PlanarBlockHead* const (&heads)[lane_blocks]) {
+  unsigned all = 0;
+  for (int b = 0; b < lane_blocks; ++b) {
+    unsigned flags;
+    __builtin_memcpy(&flags, &heads[b]->used, sizeof flags);
+    all |= flags << b * planar_lanes;
+  }
+  return {static_cast<int>(all & 255), static_cast<int>(all >> 8 & 255),
+          static_cast<int>(all >> 16 & 255), static_cast<int>(all >> 24)};
 }
 
-/// Evaluates lasting contacts of the blocks; returns the lanes that need the general way.
-inline __attribute__((always_inline)) int evaluate_blocks(PlanarBlockHead* const (&heads)[lane_blocks], BlockValues& block,
-                           BlockValues& history, BlockValues& load_i, BlockValues& load_j,
-                           const PlanarForces& forces) {
+/// Evaluates lasting contacts of the blocks; returns the lanes that need the general way. `there`:
+/// lanes of blocks that are not the repetition of another one.
+inline __attribute__((always_inline)) int evaluate_blocks(
+    PlanarBlockHead* const (&heads)[lane_blocks], BlockValues& values, int there,
+    const PlanarForces& forces) {
   const double *frame_i[lane_blocks], *frame_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
     frame_i[b] = reinterpret_cast<const double*>(&forces.frames[heads[b]->i]);
     frame_j[b] = reinterpret_cast<const double*>(&forces.frames[heads[b]->j]);
   }
-  const Arms i = arms_of(block, block_xi, block_yi, frame_i);
-  const Arms j = arms_of(block, block_xj, block_yj, frame_j);
+  const Arms i = arms_of(values, planar_xi, planar_yi, frame_i);
+  const Arms j = arms_of(values, planar_xj, planar_yj, frame_j);
   const Lanes dx = (each_block(frame_i, frame_x) - each_block(frame_j, frame_x)) + (i.x - j.x);
   const Lanes dy = (each_block(frame_i, frame_y) - each_block(frame_j, frame_y)) + (i.y - j.y);
   const Lanes square = dx * dx + dy * dy;
   const Lanes radius_i = each_block(frame_i, frame_radius);
   const Lanes radius_j = each_block(frame_j, frame_radius), reach = radius_i + radius_j;
-  const int touching = lane_bits(lane_less(square, reach * reach)) & lanes_in_use(heads);
-  const int here = touching | lane_bits_of(heads, &PlanarBlockHead::alive);
+  const LaneFlags flags = flags_of(heads);
+  const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used & there;
+  const int here = touching | (flags.alive & there);
   if (here == 0) return 0;
-  int lasting = touching & lane_bits_of(heads, &PlanarBlockHead::mature);
+  int lasting = touching & flags.mature;
   if (forces.jumped)
     for (int b = 0; b < lane_blocks; ++b)
       if (forces.jumped[heads[b]->i] | forces.jumped[heads[b]->j])
@@ -152,39 +147,34 @@ inline __attribute__((always_inline)) int evaluate_blocks(PlanarBlockHead* const
       (each_block(frame_i, frame_vx) - each_block(frame_j, frame_vx)) - wi * piy + wj * pjy;
   const Lanes uy =
       (each_block(frame_i, frame_vy) - each_block(frame_j, frame_vy)) + wi * pix - wj * pjx;
-  int sliding = lane_bits_of(heads, &PlanarBlockHead::sliding);
-  const LaneForces force = lasting_forces(heads, history, overlap, ux * nx + uy * ny,
+  int sliding = flags.sliding;
+  const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
                                           uy * nx - ux * ny, lasting, sliding, forces);
-  set_sliding(heads, sliding);
+  for (int b = lane_blocks - 1; b >= 0; --b)  // the first counts where it is repeated
+    heads[b]->sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & 15);
   const Lanes fx = force.normal * nx - force.tangential * ny;
   const Lanes fy = force.normal * ny + force.tangential * nx;
+  double *load_i[lane_blocks], *load_j[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) {
+    load_i[b] = forces.loads[heads[b]->i].d;
+    load_j[b] = forces.loads[heads[b]->j].d;
+  }
   add_loads(fx, fy, pix * fy - piy * fx, pjx * fy - pjy * fx, load_i, load_j);
   return general | force.general;
 }
 
 /// Evaluates the blocks `places`, of which only the first `members` are there.
-inline __attribute__((always_inline)) int evaluate_places(const int (&places)[lane_blocks], int members,
-                           const PlanarForces& forces, int entries) {
-  // What is missing repeats the first, without lanes and without a body to act on.
-  alignas(64) PlanarVector nowhere[2];
-  PlanarBlockHead none;
+inline __attribute__((always_inline)) int evaluate_places(int (&places)[lane_blocks], int members,
+                                                          const PlanarForces& forces, int entries) {
   PlanarBlockHead* heads[lane_blocks];
-  double *block[lane_blocks], *history[lane_blocks], *load_i[lane_blocks], *load_j[lane_blocks];
+  double* values[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
     const int place = places[b < members ? b : 0];
     heads[b] = &forces.heads[place];
-    block[b] = reinterpret_cast<double*>(&forces.blocks[place]);
-    history[b] = forces.histories + static_cast<long>(place) * forces.stride;
-    load_i[b] = forces.loads[heads[b]->i].d;
-    load_j[b] = forces.loads[heads[b]->j].d;
-    if (b < members) continue;
-    none = *heads[b];
-    none.used = none.alive = none.mature = none.sliding = 0;
-    heads[b] = &none;
-    load_i[b] = nowhere[0].d;
-    load_j[b] = nowhere[1].d;
+    values[b] = forces.values + static_cast<long>(place) * forces.stride;
   }
-  const int general = evaluate_blocks(heads, block, history, load_i, load_j, forces);
+  const int there = (1 << members * planar_lanes) - 1;
+  const int general = evaluate_blocks(heads, values, there, forces);
   if (general == 0) return entries;
   for (int b = 0; b < members; ++b) {
     const int lanes = general >> b * planar_lanes & 15;

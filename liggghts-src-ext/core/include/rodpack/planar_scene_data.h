@@ -99,7 +99,8 @@ struct PlanarScene::Data {
   std::vector<PlanarBodyInfo> info;
   std::vector<PlanarSphere> spheres;
   AlignedVector<PlanarListed> listed;
-  std::vector<double> moved;  // since a body was listed, at most, m
+  AlignedVector<PlanarListedLanes> listed_lanes;
+  AlignedVector<double> moved;  // since a body was listed, at most, m
   std::vector<PlanarLawConstants> laws;
 
   PlanarBlockPool pairs, at_walls;
