@@ -19,6 +19,7 @@ PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
   forces.heads = pool.heads.data();
   forces.values = pool.all_values.data();
   forces.count = pool.size();
+  forces.touching = pool.touching();
   forces.stride = pool.stride();
   forces.newest = pool.velocity(0, true);
   forces.frames = frames.data();
@@ -35,8 +36,12 @@ PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
     forces.spring_weights[k] = settings.dt * weights[k];
   }
   forces.follows = follows;
-  if (static_cast<int>(general.size()) < pool.size()) general.resize(pool.size());
+  if (static_cast<int>(general.size()) < pool.size()) {
+    general.resize(pool.size());
+    awake.resize(pool.size());
+  }
   forces.general = general.data();
+  forces.awake = awake.data();
   return forces;
 }
 

@@ -56,12 +56,18 @@ void PlanarGrid::move(int body, double x, double y) {
   link(body, cell);
 }
 
-void PlanarBlockPool::reorder(const std::vector<int>& order) {
+void PlanarBlockPool::reorder(const std::vector<int>& order, int touching) {
+  touching_ = touching;
   const AlignedVector<PlanarBlockHead> old_heads(heads);
   const AlignedVector<double> old_values(all_values);
   const std::vector<PlanarBlockBirth> old_births(births);
   for (std::vector<int>& list : of_body_) list.clear();
-  for (int k = 0; k < size(); ++k) {
+  const int filled = static_cast<int>(order.size());
+  heads.resize(filled);
+  all_values.resize(static_cast<std::size_t>(filled) * stride());
+  births.resize(filled);
+  holes_.clear();
+  for (int k = 0; k < filled; ++k) {
     heads[k] = old_heads[order[k]];
     std::copy_n(&old_values[static_cast<std::size_t>(order[k]) * stride()], stride(), values(k));
     births[k] = old_births[order[k]];
@@ -138,8 +144,8 @@ void PlanarScene::Data::mark_listed(int body) {
   PlanarListed& at = listed[body];
   const PlanarFrame& frame = frames[body];
   at = {frame.x, frame.y, frame.cosine, frame.sine, at.reach, wanted_skin(body)};
-  PlanarListedLanes& lanes = listed_lanes[body / planar_lanes];
-  const int lane = body % planar_lanes;
+  PlanarListedLanes& lanes = listed_lanes[body / body_lanes];
+  const int lane = body % body_lanes;
   lanes.x[lane] = at.x;
   lanes.y[lane] = at.y;
   lanes.cosine[lane] = at.cosine;
@@ -176,15 +182,13 @@ void PlanarScene::Data::list(int body) {
   ++statistics.listings;
   saved.clear();
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
-    while (!pool->of_body(body).empty()) {
-      const int place = pool->of_body(body).back();
+    for (const int place : pool->of_body(body))
       for (int lane = 0; lane < planar_lanes; ++lane)
         if (pool->heads[place].alive & 1 << lane) {
           saved.push_back(Saved());
           save_lane(*pool, place, lane, saved.back());
         }
-      pool->remove(place);
-    }
+    pool->remove_all_of(body);
   }
   const PlanarListed& at = listed[body];
   near.clear();
@@ -312,8 +316,13 @@ void PlanarScene::Data::list_walls(int i) {
 /// Touching blocks first, each kind in the order of the bodies: they run through memory.
 void PlanarScene::Data::sort_blocks() {
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
-    near.resize(pool->size());
-    for (int k = 0; k < pool->size(); ++k) near[k] = k;
+    int touching = 0;
+    near.clear();
+    for (int k = 0; k < pool->size(); ++k) {
+      if (pool->heads[k].used == 0) continue;
+      near.push_back(k);
+      if (pool->heads[k].alive != 0) ++touching;
+    }
     const AlignedVector<PlanarBlockHead>& heads = pool->heads;
     std::sort(near.begin(), near.end(), [&](int a, int b) {
       const bool touches_a = heads[a].alive != 0, touches_b = heads[b].alive != 0;
@@ -322,7 +331,7 @@ void PlanarScene::Data::sort_blocks() {
       if (heads[a].j != heads[b].j) return heads[a].j < heads[b].j;
       return a < b;
     });
-    pool->reorder(near);
+    pool->reorder(near, touching);
   }
 }
 

@@ -70,11 +70,11 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
   }
   info.resize(count);
   listed.resize(count);
-  const std::size_t registers = (count + planar_lanes - 1) / planar_lanes;
+  const std::size_t registers = (count + body_lanes - 1) / body_lanes;
   listed_lanes.resize(registers);
   for (PlanarListedLanes& lanes : listed_lanes)
-    std::fill_n(lanes.skin, planar_lanes, std::numeric_limits<double>::infinity());
-  moved.resize(registers * planar_lanes);
+    std::fill_n(lanes.skin, body_lanes, std::numeric_limits<double>::infinity());
+  moved.resize(registers * body_lanes);
   for (const PlanarLaw& law : settings.laws)
     laws.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
   evaluations.resize(count);
@@ -345,7 +345,7 @@ PlanarBody PlanarScene::body(int index) const {
 
 PlanarScene::Statistics PlanarScene::statistics() const {
   Statistics result = data_->statistics;
-  result.blocks = data_->pairs.size() + data_->at_walls.size();
+  result.blocks = data_->pairs.filled() + data_->at_walls.filled();
   return result;
 }
 

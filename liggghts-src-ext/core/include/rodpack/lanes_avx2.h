@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Four doubles at a time in one register of AVX2; see planar_kernel.h.
 
-constexpr int lane_blocks = 1;  // blocks that are evaluated at a time
+constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
 
 typedef double Lanes __attribute__((vector_size(32), may_alias));
 typedef long long LaneMask __attribute__((vector_size(32), may_alias));  // all bits set: true
@@ -46,21 +46,33 @@ inline void transpose_lanes(Lanes (&rows)[4]) {
   rows[3] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x31);
 }
 
-/// of[b][index] in all lanes of block b.
-inline Lanes each_block(const double* const (&of)[1], int index) { return all_lanes(of[0][index]); }
-/// Four values for block b, from of[b] + index.
-inline Lanes lanes_of(double* const (&of)[1], int index) { return load_lanes(of[0] + index); }
-inline void keep_lanes(LaneMask where, double* const (&of)[1], int index, Lanes x) {
-  store_lanes(of[0] + index, lane_choice(where, x, load_lanes(of[0] + index)));
+/// Two values for block b, from of[b] + index.
+inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
+  return (Lanes)_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + index)),
+                                     _mm_load_pd(of[1] + index), 1);
+}
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
+                     Lanes& second) {
+  const __m256d both = (__m256d)lanes_of(of, index);
+  first = (Lanes)_mm256_movedup_pd(both);
+  second = (Lanes)_mm256_permute_pd(both, 0b1111);
+}
+inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
+  const __m256d kept = (__m256d)lane_choice(where, x, lanes_of(of, index));
+  _mm_store_pd(of[1] + index, _mm256_extractf128_pd(kept, 1));
+  _mm_store_pd(of[0] + index, _mm256_castpd256_pd128(kept));
 }
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.
-inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[1],
-                      double* const (&on_j)[1]) {
+inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],
+                      double* const (&on_j)[lane_blocks]) {
   const __m256d ab = _mm256_hadd_pd((__m256d)a, (__m256d)b);
   const __m256d cd = _mm256_hadd_pd((__m256d)c, (__m256d)d);
-  const Lanes sums = (Lanes)_mm256_add_pd(_mm256_blend_pd(ab, cd, 0b1100),
-                                          _mm256_permute2f128_pd(ab, cd, 0x21));
-  store_lanes(on_i[0], load_lanes(on_i[0]) + sums);
-  store_lanes(on_j[0], load_lanes(on_j[0]) - (Lanes)_mm256_permute_pd((__m256d)sums, 0b1110));
+  const __m256d of[2] = {_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31)};
+  for (int k = 0; k < 2; ++k) {  // the two may act on the same body
+    _mm256_store_pd(on_i[k], _mm256_add_pd(_mm256_load_pd(on_i[k]), of[k]));
+    _mm256_store_pd(on_j[k],
+                    _mm256_sub_pd(_mm256_load_pd(on_j[k]), _mm256_permute_pd(of[k], 0b1110)));
+  }
 }

@@ -3,7 +3,7 @@
 // see planar_kernel.h. The compiler would split vectors of four too, but sends each operation
 // through memory.
 
-constexpr int lane_blocks = 1;  // blocks that are evaluated at a time
+constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
 
 typedef double HalfLanes __attribute__((vector_size(16), may_alias));
 typedef long long HalfMask __attribute__((vector_size(16), may_alias));
@@ -94,24 +94,37 @@ inline void transpose_lanes(Lanes (&rows)[4]) {
   rows[3] = {a.high[1], b.high[1], c.high[1], d.high[1]};
 }
 
-/// of[b][index] in all lanes of block b.
-inline Lanes each_block(const double* const (&of)[1], int index) { return all_lanes(of[0][index]); }
-/// Four values for block b, from of[b] + index.
-inline Lanes lanes_of(double* const (&of)[1], int index) { return load_lanes(of[0] + index); }
-inline void keep_lanes(LaneMask where, double* const (&of)[1], int index, Lanes x) {
-  store_lanes(of[0] + index, lane_choice(where, x, load_lanes(of[0] + index)));
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
+                     Lanes& second) {
+  first = {of[0][index], of[0][index], of[1][index], of[1][index]};
+  second = {of[0][index + 1], of[0][index + 1], of[1][index + 1], of[1][index + 1]};
+}
+/// Two values for block b, from of[b] + index.
+inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
+  return {*reinterpret_cast<const HalfLanes*>(of[0] + index),
+          *reinterpret_cast<const HalfLanes*>(of[1] + index)};
+}
+inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
+  const Lanes kept = lane_choice(where, x, lanes_of(of, index));
+  *reinterpret_cast<HalfLanes*>(of[1] + index) = kept.high;
+  *reinterpret_cast<HalfLanes*>(of[0] + index) = kept.low;
 }
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.
-inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[1],
-                      double* const (&on_j)[1]) {
-  const HalfLanes p = a.low + a.high, q = b.low + b.high;
-  const HalfLanes r = c.low + c.high, s = d.low + d.high;
-  const HalfLanes force = {p[0] + p[1], q[0] + q[1]};
-  HalfLanes *const i = reinterpret_cast<HalfLanes*>(on_i[0]);
-  HalfLanes *const j = reinterpret_cast<HalfLanes*>(on_j[0]);
-  i[0] += force;
-  i[1] += HalfLanes{r[0] + r[1], 0.0};
-  j[0] -= force;
-  j[1] -= HalfLanes{s[0] + s[1], 0.0};
+inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],
+                      double* const (&on_j)[lane_blocks]) {
+  const auto sums = [](HalfLanes x, HalfLanes y) {
+    return HalfLanes{x[0], y[0]} + HalfLanes{x[1], y[1]};
+  };
+  const HalfLanes force[2] = {sums(a.low, b.low), sums(a.high, b.high)};
+  const HalfLanes torque[2] = {sums(c.low, d.low), sums(c.high, d.high)};
+  for (int k = 0; k < 2; ++k) {  // the two may act on the same body
+    HalfLanes* const i = reinterpret_cast<HalfLanes*>(on_i[k]);
+    i[0] += force[k];
+    i[1] += torque[k];
+    HalfLanes* const j = reinterpret_cast<HalfLanes*>(on_j[k]);
+    j[0] -= force[k];
+    j[1] -= HalfLanes{torque[k][1], torque[k][1]};
+  }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "aligned_vector.h"
@@ -12,11 +13,11 @@
 
 namespace rodpack {
 
-constexpr int planar_lanes = 4;
+constexpr int planar_lanes = 2;
 
-/// Up to four sphere pairs of two bodies that may touch before one of the two is listed anew; the
+/// Up to two sphere pairs of two bodies that may touch before one of the two is listed anew; the
 /// second may be a wall. What tells whether anything happens in a block:
-struct PlanarBlockHead {
+struct alignas(16) PlanarBlockHead {
   std::int32_t i, j;  // bodies; j = -1 - wall
   double gap;         // the least between spheres where the bodies were listed, m
   double gamma[2];    // dashpots along the normal and the tangent, kg/s
@@ -52,44 +53,53 @@ struct PlanarBlockBirth {
   bool fresh[planar_lanes];
 };
 
-/// Blocks in arrays without holes, and the list of them for each body.
+/// Blocks in arrays, and the list of them for each body. Blocks that were removed leave holes, which
+/// new ones fill: nothing is alive in them, their gap is endless, and the spheres that they name do not
+/// coincide, so that their distance has an inverse.
 class PlanarBlockPool {
  public:
   PlanarBlockPool(int bodies, int slots) : slots(slots), of_body_(bodies) {}
 
-  int size() const { return static_cast<int>(heads.size()); }
+  int size() const { return static_cast<int>(heads.size()); }  // with holes
+  int filled() const { return size() - static_cast<int>(holes_.size()); }
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
-  /// The values of the new block are 0.
+  /// The values of a new block are 0, or those of a removed one.
   int add(const PlanarBlockHead& head, const PlanarBlockBirth& birth) {
-    const int place = size();
-    heads.push_back(head);
-    all_values.resize(all_values.size() + stride());
-    births.push_back(birth);
+    int place = size();
+    if (holes_.empty()) {
+      heads.push_back(head);
+      all_values.resize(all_values.size() + stride());
+      births.push_back(birth);
+    } else {
+      place = holes_.back();
+      holes_.pop_back();
+      heads[place] = head;
+      births[place] = birth;
+    }
     of_body_[head.i].push_back(place);
     if (head.j >= 0) of_body_[head.j].push_back(place);
     return place;
   }
 
-  /// The last block takes its place.
-  void remove(int place) {
-    forget(heads[place].i, place);
-    if (heads[place].j >= 0) forget(heads[place].j, place);
-    const int last = size() - 1;
-    if (place != last) {
-      heads[place] = heads[last];
-      std::copy_n(values(last), stride(), values(place));
-      births[place] = births[last];
-      rename(heads[place].i, last, place);
-      if (heads[place].j >= 0) rename(heads[place].j, last, place);
+  void remove_all_of(int body) {
+    for (const int place : of_body_[body]) {
+      PlanarBlockHead& head = heads[place];
+      const int other = head.i == body ? head.j : head.i;
+      if (other >= 0) forget(other, place);
+      head = PlanarBlockHead();
+      head.gap = std::numeric_limits<double>::infinity();
+      std::fill_n(values(place) + planar_xi, planar_lanes, 1.0);
+      std::fill_n(values(place) + planar_yi, 3 * planar_lanes, 0.0);
+      holes_.push_back(place);
     }
-    heads.pop_back();
-    all_values.resize(all_values.size() - stride());
-    births.pop_back();
+    of_body_[body].clear();
   }
 
-  /// Puts the blocks in the given order: order[k] is the present place of the k-th.
-  void reorder(const std::vector<int>& order);
+  /// Puts the blocks in the given order, without holes: order[k] is the present place of the k-th.
+  /// The first `touching` of them may go on to touch.
+  void reorder(const std::vector<int>& order, int touching);
+  int touching() const { return std::min(touching_, size()); }
 
   /// Place of the velocities k steps back in the values; `turned`: as after the next turn.
   int velocity(int k, bool turned = false) const {
@@ -119,13 +129,10 @@ class PlanarBlockPool {
       return;
     }
   }
-  void rename(int body, int from, int to) {
-    for (int& entry : of_body_[body])
-      if (entry == from) entry = to;
-  }
 
   std::vector<std::vector<int>> of_body_;
-  int newest_ = 0;
+  std::vector<int> holes_;
+  int newest_ = 0, touching_ = 0;
 };
 
 }  // namespace rodpack

@@ -27,6 +27,7 @@ struct PlanarForces {
   PlanarBlockHead* heads;
   double* values;
   int count, stride;                  // stride: of the values of a block
+  int touching;                       // blocks in front that are not worth a look at their gap
   int velocity[max_multistep_order];  // places of those k + 1 steps back in them
   int newest;                         // of that of now
   // bodies
@@ -42,6 +43,7 @@ struct PlanarForces {
   double spring_weights[max_multistep_order];  // times dt
   bool follows;                                // events
   PlanarGeneral* general;                      // room for all blocks
+  int* awake;                                  // room for all blocks
 };
 
 /// Where a body was listed.
@@ -51,10 +53,12 @@ struct PlanarListed {
   double skin;   // that it was listed with
 };
 
-/// The same for as many bodies as there are lanes; one that is not there has an endless skin.
+constexpr int body_lanes = 4;  // bodies that move at a time
+
+/// The same for these; one that is not there has an endless skin.
 struct alignas(64) PlanarListedLanes {
-  double x[planar_lanes], y[planar_lanes], cosine[planar_lanes], sine[planar_lanes];
-  double reach[planar_lanes], skin[planar_lanes];
+  double x[body_lanes], y[body_lanes], cosine[body_lanes], sine[body_lanes];
+  double reach[body_lanes], skin[body_lanes];
 };
 
 /// Bodies, and what their motion needs.

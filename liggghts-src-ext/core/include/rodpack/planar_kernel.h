@@ -7,6 +7,8 @@
 // of its lanes, which sets `Lanes` and how many blocks they hold. Nothing else may be used here but
 // planar_forces.h: see there.
 
+constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
+
 /// The same of each block.
 typedef double* const BlockValues[lane_blocks];
 typedef const double* const BlockConstants[lane_blocks];
@@ -25,7 +27,8 @@ inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], B
   const double* gammas[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) gammas[b] = heads[b]->gamma;
   const Lanes zero = all_lanes(0.0);
-  const Lanes gamma_n = each_block(gammas, 0), gamma_t = each_block(gammas, 1);
+  Lanes gamma_n, gamma_t;
+  each_two(gammas, 0, gamma_n, gamma_t);
   Lanes kn = all_lanes(forces.laws->kn), kt = all_lanes(forces.laws->kt);
   Lanes inverse_kt = all_lanes(forces.laws->inverse_kt);
   Lanes friction = all_lanes(forces.laws->friction);
@@ -33,10 +36,8 @@ inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], B
     const double* laws[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b)
       laws[b] = reinterpret_cast<const double*>(&forces.laws[heads[b]->law]);
-    kn = each_block(laws, 0);
-    kt = each_block(laws, 1);
-    inverse_kt = each_block(laws, 2);
-    friction = each_block(laws, 3);
+    each_two(laws, 0, kn, kt);
+    each_two(laws, 2, inverse_kt, friction);
   }
 
   const Lanes uncut = kn * overlap - gamma_n * vn;
@@ -76,8 +77,8 @@ inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], B
   return result;
 }
 
-// Values of a PlanarFrame, in doubles.
-enum { frame_x, frame_y, frame_cosine, frame_sine, frame_vx, frame_vy, frame_spin, frame_radius };
+// Places in a PlanarFrame, in doubles: of x and y, cosine and sine, velocity, spin and radius.
+enum { frame_place = 0, frame_turn = 2, frame_velocity = 4, frame_spin = 6 };
 
 /// Spheres' centres from that of their body.
 struct Arms {
@@ -86,7 +87,8 @@ struct Arms {
 
 inline Arms arms_of(BlockValues& values, int x, int y, BlockConstants& frame) {
   const Lanes bx = lanes_of(values, x), by = lanes_of(values, y);
-  const Lanes cosine = each_block(frame, frame_cosine), sine = each_block(frame, frame_sine);
+  Lanes cosine, sine;
+  each_two(frame, frame_turn, cosine, sine);
   return {cosine * bx - sine * by, sine * bx + cosine * by};
 }
 
@@ -105,24 +107,31 @@ inline LaneFlags flags_of(PlanarBlockHead* const (&heads)[lane_blocks]) {
           static_cast<int>(all >> 16 & 255), static_cast<int>(all >> 24)};
 }
 
-/// Evaluates lasting contacts of the blocks; returns the lanes that need the general way. `there`:
-/// lanes of blocks that are not the repetition of another one.
-inline __attribute__((always_inline)) int evaluate_blocks(
-    PlanarBlockHead* const (&heads)[lane_blocks], BlockValues& values, int there,
-    const PlanarForces& forces) {
+/// Evaluates the lasting contacts of the blocks `places`, of which only the first `members` are
+/// there; the others repeat one. Returns the lanes that need the general way.
+inline __attribute__((always_inline)) int evaluate_blocks(const int (&places)[lane_blocks],
+                                                          int members,
+                                                          const PlanarForces& forces) {
+  PlanarBlockHead* heads[lane_blocks];
+  double* values[lane_blocks];
   const double *frame_i[lane_blocks], *frame_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
+    heads[b] = &forces.heads[places[b]];
+    values[b] = forces.values + static_cast<long>(places[b]) * forces.stride;
     frame_i[b] = reinterpret_cast<const double*>(&forces.frames[heads[b]->i]);
     frame_j[b] = reinterpret_cast<const double*>(&forces.frames[heads[b]->j]);
   }
   const Arms i = arms_of(values, planar_xi, planar_yi, frame_i);
   const Arms j = arms_of(values, planar_xj, planar_yj, frame_j);
-  const Lanes dx = (each_block(frame_i, frame_x) - each_block(frame_j, frame_x)) + (i.x - j.x);
-  const Lanes dy = (each_block(frame_i, frame_y) - each_block(frame_j, frame_y)) + (i.y - j.y);
-  const Lanes square = dx * dx + dy * dy;
-  const Lanes radius_i = each_block(frame_i, frame_radius);
-  const Lanes radius_j = each_block(frame_j, frame_radius), reach = radius_i + radius_j;
+  Lanes xi, yi, xj, yj, wi, wj, radius_i, radius_j;
+  each_two(frame_i, frame_place, xi, yi);
+  each_two(frame_j, frame_place, xj, yj);
+  each_two(frame_i, frame_spin, wi, radius_i);
+  each_two(frame_j, frame_spin, wj, radius_j);
+  const Lanes dx = (xi - xj) + (i.x - j.x), dy = (yi - yj) + (i.y - j.y);
+  const Lanes square = dx * dx + dy * dy, reach = radius_i + radius_j;
   const LaneFlags flags = flags_of(heads);
+  const int there = (1 << members * planar_lanes) - 1;
   const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used & there;
   const int here = touching | (flags.alive & there);
   if (here == 0) return 0;
@@ -130,7 +139,7 @@ inline __attribute__((always_inline)) int evaluate_blocks(
   if (forces.jumped)
     for (int b = 0; b < lane_blocks; ++b)
       if (forces.jumped[heads[b]->i] | forces.jumped[heads[b]->j])
-        lasting &= ~(15 << b * planar_lanes);
+        lasting &= ~(all_of_block << b * planar_lanes);
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
@@ -142,59 +151,52 @@ inline __attribute__((always_inline)) int evaluate_blocks(
   const Lanes li = radius_i - 0.5 * overlap, lj = radius_j - 0.5 * overlap;
   const Lanes pix = i.x - li * nx, piy = i.y - li * ny;
   const Lanes pjx = j.x + lj * nx, pjy = j.y + lj * ny;
-  const Lanes wi = each_block(frame_i, frame_spin), wj = each_block(frame_j, frame_spin);
-  const Lanes ux =
-      (each_block(frame_i, frame_vx) - each_block(frame_j, frame_vx)) - wi * piy + wj * pjy;
-  const Lanes uy =
-      (each_block(frame_i, frame_vy) - each_block(frame_j, frame_vy)) + wi * pix - wj * pjx;
+  Lanes vxi, vyi, vxj, vyj;
+  each_two(frame_i, frame_velocity, vxi, vyi);
+  each_two(frame_j, frame_velocity, vxj, vyj);
+  const Lanes ux = (vxi - vxj) - wi * piy + wj * pjy, uy = (vyi - vyj) + wi * pix - wj * pjx;
   int sliding = flags.sliding;
   const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
                                           uy * nx - ux * ny, lasting, sliding, forces);
-  for (int b = lane_blocks - 1; b >= 0; --b)  // the first counts where it is repeated
-    heads[b]->sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & 15);
-  const Lanes fx = force.normal * nx - force.tangential * ny;
-  const Lanes fy = force.normal * ny + force.tangential * nx;
   double *load_i[lane_blocks], *load_j[lane_blocks];
-  for (int b = 0; b < lane_blocks; ++b) {
+  for (int b = lane_blocks - 1; b >= 0; --b) {  // the first counts where it is repeated
+    heads[b]->sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & all_of_block);
     load_i[b] = forces.loads[heads[b]->i].d;
     load_j[b] = forces.loads[heads[b]->j].d;
   }
+  const Lanes fx = force.normal * nx - force.tangential * ny;
+  const Lanes fy = force.normal * ny + force.tangential * nx;
   add_loads(fx, fy, pix * fy - piy * fx, pjx * fy - pjy * fx, load_i, load_j);
   return general | force.general;
 }
 
-/// Evaluates the blocks `places`, of which only the first `members` are there.
-inline __attribute__((always_inline)) int evaluate_places(int (&places)[lane_blocks], int members,
-                                                          const PlanarForces& forces, int entries) {
-  PlanarBlockHead* heads[lane_blocks];
-  double* values[lane_blocks];
-  for (int b = 0; b < lane_blocks; ++b) {
-    const int place = places[b < members ? b : 0];
-    heads[b] = &forces.heads[place];
-    values[b] = forces.values + static_cast<long>(place) * forces.stride;
+/// Lists those in front, and those behind them whose spheres may have met: since they were listed
+/// both bodies together have moved by the gap. Without branches, as there is no telling which.
+inline int find_awake(const PlanarForces& forces) {
+  for (int place = 0; place < forces.touching; ++place) forces.awake[place] = place;
+  int count = forces.touching;
+  for (int place = forces.touching; place < forces.count; ++place) {
+    const PlanarBlockHead& head = forces.heads[place];
+    const bool asleep = forces.moved[head.i] + forces.moved[head.j] < head.gap;
+    forces.awake[count] = place;
+    count += (head.alive != 0) | !asleep;
   }
-  const int there = (1 << members * planar_lanes) - 1;
-  const int general = evaluate_blocks(heads, values, there, forces);
-  if (general == 0) return entries;
-  for (int b = 0; b < members; ++b) {
-    const int lanes = general >> b * planar_lanes & 15;
-    if (lanes != 0) forces.general[entries++] = {places[b], lanes};
-  }
-  return entries;
+  return count;
 }
 
-/// All blocks of pairs, but those whose spheres cannot have met: since they were listed both bodies
-/// together have moved by less than the gap.
 int evaluate_pairs(const PlanarForces& forces) {
-  int entries = 0, place = 0;
-  while (true) {
-    int places[lane_blocks], members = 0;
-    for (; place < forces.count && members < lane_blocks; ++place) {
-      const PlanarBlockHead& head = forces.heads[place];
-      if (head.alive != 0 || !(forces.moved[head.i] + forces.moved[head.j] < head.gap))
-        places[members++] = place;
+  int entries = 0;
+  const int count = find_awake(forces);
+  for (int first = 0; first < count; first += lane_blocks) {
+    const int left = count - first, members = left < lane_blocks ? left : lane_blocks;
+    int places[lane_blocks];
+    for (int b = 0; b < lane_blocks; ++b) places[b] = forces.awake[first + (b < members ? b : 0)];
+    const int general = evaluate_blocks(places, members, forces);
+    if (general == 0) continue;
+    for (int b = 0; b < members; ++b) {
+      const int lanes = general >> b * planar_lanes & all_of_block;
+      if (lanes != 0) forces.general[entries++] = {places[b], lanes};
     }
-    if (members == 0) return entries;
-    entries = evaluate_places(places, members, forces, entries);
   }
+  return entries;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts with walls, and the motion of bodies, in lanes of four; included after planar_kernel.h.
-
-static_assert(lane_blocks == 1, "written for one block, and for one body, in a register");
+// Contacts with walls, a block at a time, and the motion of bodies; included after planar_kernel.h,
+// for lanes of four.
 
 /// Evaluates lasting contacts with a wall, at the `distance` of the spheres' centres from it along
 /// its axis; returns the lanes that need the general way.
@@ -16,15 +15,16 @@ inline int evaluate_lasting_wall(PlanarBlockHead& head, BlockValues& values, con
   const Lanes lever = radius - 0.5 * overlap;
   const Lanes px = arms.x - lever * nx, py = arms.y - lever * ny;
   const Lanes ux = i.velocity[0] - i.velocity[2] * py, uy = i.velocity[1] + i.velocity[2] * px;
-  PlanarBlockHead* const heads[1] = {&head};
+  PlanarBlockHead* const heads[lane_blocks] = {&head, &head};
   int sliding = head.sliding;
   const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
                                           uy * nx - ux * ny, lasting, sliding, forces);
-  head.sliding = static_cast<std::uint8_t>(sliding);
+  head.sliding = static_cast<std::uint8_t>(sliding & all_of_block);
   const Lanes fx = force.normal * nx - force.tangential * ny;
   const Lanes fy = force.normal * ny + force.tangential * nx;
   alignas(64) PlanarVector on_wall;
-  double *const load_i[1] = {forces.loads[head.i].d}, *const load_j[1] = {on_wall.d};
+  double* const load = forces.loads[head.i].d;
+  double *const load_i[lane_blocks] = {load, load}, *const load_j[lane_blocks] = {on_wall.d, on_wall.d};
   add_loads(fx, fy, px * fy - py * fx, zero, load_i, load_j);
   return force.general;
 }
@@ -35,8 +35,11 @@ int evaluate_walls(const PlanarForces& forces) {
     PlanarBlockHead& head = forces.heads[place];
     const PlanarFrame& i = forces.frames[head.i];
     const PlanarWall& wall = forces.walls[-1 - head.j];
-    double* const values[1] = {forces.values + static_cast<long>(place) * forces.stride};
-    const double* const frame[1] = {reinterpret_cast<const double*>(&i)};
+    // All blocks of a register are this one; lanes of the first count.
+    double* const first = forces.values + static_cast<long>(place) * forces.stride;
+    double* const values[lane_blocks] = {first, first};
+    const double* const of_i = reinterpret_cast<const double*>(&i);
+    const double* const frame[lane_blocks] = {of_i, of_i};
     const Arms arms = arms_of(values, planar_xi, planar_yi, frame);
     const Lanes distance = (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
     const Lanes side =
@@ -103,11 +106,11 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
 /// on cosine and sine.
 int advance(const PlanarMotions& motions) {
   int entries = 0;
-  for (int first = 0; first < motions.count; first += planar_lanes) {
+  for (int first = 0; first < motions.count; first += body_lanes) {
     // Bodies beyond the last repeat it.
-    const int left = motions.count - first, members = left < planar_lanes ? left : planar_lanes;
-    Lanes motion[planar_lanes], place[planar_lanes];
-    for (int k = 0; k < planar_lanes; ++k) {
+    const int left = motions.count - first, members = left < body_lanes ? left : body_lanes;
+    Lanes motion[body_lanes], place[body_lanes];
+    for (int k = 0; k < body_lanes; ++k) {
       motion[k] = k < members ? advance_velocity(motions, first + k) : motion[members - 1];
       place[k] = load_lanes(&motions.frames[first + (k < members ? k : members - 1)].x);
     }
@@ -124,7 +127,7 @@ int advance(const PlanarMotions& motions) {
     place[2] = cosine * scale;
     place[3] = sine * scale;
 
-    const PlanarListedLanes& at = motions.listed[first / planar_lanes];
+    const PlanarListedLanes& at = motions.listed[first / body_lanes];
     const Lanes rx = x - load_lanes(at.x), ry = y - load_lanes(at.y);
     const Lanes tc = place[2] - load_lanes(at.cosine), ts = place[3] - load_lanes(at.sine);
     const Lanes reach = load_lanes(at.reach);

@@ -107,6 +107,7 @@ struct PlanarScene::Data {
   PlanarGrid grid;
   std::vector<int> to_list, near;
   std::vector<PlanarGeneral> general;
+  std::vector<int> awake;  // blocks
   struct Saved {  // contacts of a body while it is listed anew
     int i, j;
     std::uint16_t sphere_i, sphere_j;
