@@ -10,6 +10,7 @@
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
 #include "fix_wall_gran.h"
+#include "fix_wall_gran_solid.h"
 #include "force.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -49,7 +50,14 @@ const char* const needed_models =
     "'model spring_dashpot tangential spring_dashpot' alone, without other models";
 
 /// A plane x = c or y = c; false for any other primitive.
-bool plane_of(PrimitiveWall& wall, rodpack::PlanarWall& plane) {
+bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
+  if (const FixWallGranSolid* solid = dynamic_cast<FixWallGranSolid*>(fix)) {
+    plane.axis = solid->axis();
+    plane.position = solid->position();
+    plane.free_side = solid->free_side();
+    return plane.axis < 2;
+  }
+  PrimitiveWall& wall = *fix->primitiveWall();
   double origin[3] = {0.0, 0.0, 0.0}, other[3] = {1.1, 2.3, 4.7};
   double from[3] = {}, to[3] = {};
   wall.resolveContact(origin, 0.0, from);
@@ -99,10 +107,10 @@ void PlanarContacts::connect() {
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
-    const std::string name = std::string("fix wall/gran (id ") + wall->id + ") ";
+    const std::string name = std::string("fix ") + wall->style + " (id " + wall->id + ") ";
     if (!has_known_models(wall)) refuse(name + "has other models, expected " + needed_models);
     rodpack::PlanarWall plane;
-    if (wall->is_mesh_wall() || !wall->primitiveWall() || !plane_of(*wall->primitiveWall(), plane))
+    if (wall->is_mesh_wall() || !wall->primitiveWall() || !plane_of(wall, plane))
       refuse(name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
     if (wall->is_moving()) refuse(name + "moves ('shear'), expected a wall at rest");
     if (wall->igroup != 0) refuse(name + "acts on a group, expected all");
@@ -136,7 +144,7 @@ std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
   std::vector<rodpack::PlanarWall> planes;
   for (FixWallGran* wall : walls_) {
     rodpack::PlanarWall plane;
-    plane_of(*wall->primitiveWall(), plane);
+    plane_of(wall, plane);
     plane.type = wall->atom_type_wall() - 1;
     planes.push_back(plane);
   }
@@ -212,7 +220,7 @@ std::vector<PlanarContactState> PlanarContacts::read(const std::vector<PlanarPla
       contact.body_j = -1 - static_cast<int>(w);
       contact.sphere_j = 0;
       const int axis = planes[w].axis;
-      const double side = x[i][axis] > planes[w].position ? 1.0 : -1.0;
+      const double side = planes[w].side_of(x[i][axis] - planes[w].position);
       record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact);
       contacts.push_back(contact);
     }
@@ -258,7 +266,7 @@ void PlanarContacts::write(const std::vector<PlanarContactState>& contacts,
     const int i = atoms[contact.body_i][contact.sphere_i];
     if (contact.body_j < 0) {
       const int w = -1 - contact.body_j, axis = planes[w].axis;
-      const double side = x[i][axis] > planes[w].position ? 1.0 : -1.0;
+      const double side = planes[w].side_of(x[i][axis] - planes[w].position);
       Record(WallAccess::histories(walls_[w])[i], slots_)
           .write(contact, Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), now);
       continue;

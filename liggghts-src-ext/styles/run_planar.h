@@ -13,6 +13,7 @@ IntegrateStyle(verlet/planar,RunPlanar)
 #include <memory>
 #include <vector>
 #include "planar_contacts.h"
+#include "rodpack/planar_instructions.h"
 #include "verlet.h"
 
 namespace rodpack {
@@ -45,7 +46,10 @@ class RunPlanar : public Verlet {
   void take_over();
   void give_back();
 
+  void read_options(int narg, char** arg);
+
   double min_skin_, max_skin_;  // m; 0: from the particles
+  rodpack::PlanarInstructions instructions_ = rodpack::PlanarInstructions::automatic;
   class FixMultisphereAB* bodies_ = NULL;
   class FixGravity* gravity_ = NULL;
   PlanarContacts contacts_;

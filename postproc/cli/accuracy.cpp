@@ -38,7 +38,7 @@ void measure_stability_into(const AccuracySettings& settings, const std::string&
 /// Returns the section of accuracy.md.
 std::string measure_beds_into(const AccuracySettings& settings, const std::string& folder) {
   const auto rows = measure_beds(settings, folder, std::cout);
-  draw_beds(rows, settings.bed_methods, BedScene().rods(), folder);
+  draw_beds(rows, settings, folder);
   std::cout << "written: " << folder << "/beds.csv, beds_*.png .svg\n";
   return beds_section(rows, settings);
 }
@@ -111,6 +111,19 @@ void add_accuracy(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str()
       ->type_name("N");
+  command
+      ->add_option("--comparisons", settings.bed_comparisons,
+                   "what beds compare: surface,planar,engine,stiffness,step_METHOD [default: all]")
+      ->delimiter(',')
+      ->type_name("LIST");
+  command->add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_option("--per-line", settings.bed_scene.per_line, "rods per line of a bed")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str()
+      ->type_name("N");
   command->add_flag("--quick", options->quick,
                     "five scenes, three steps, one timed run: below a minute");
 
@@ -127,6 +140,7 @@ void add_accuracy(CLI::App& app) {
       for (const auto& name : s.scenes)
         if (name != beds_scene && name != stability_scene) accuracy_scene(name);
       for (const auto& name : s.methods) accuracy_method(name);
+      bed_comparisons(s.bed_methods, s.bed_comparisons);
     } catch (const DataError& error) {
       throw CLI::ValidationError(error.what());
     }

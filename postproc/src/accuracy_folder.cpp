@@ -23,7 +23,9 @@ nlohmann::json common(const AccuracySettings& settings) {
           {"inputs", settings.inputs},
           {"steps", settings.steps},
           {"repeats", settings.repeats},
-          {"timed_steps", settings.timed_steps}};
+          {"timed_steps", settings.timed_steps},
+          {"bed_lines", settings.bed_scene.lines},
+          {"bed_per_line", settings.bed_scene.per_line}};
 }
 
 bool has_rows(const std::string& file) {

@@ -32,8 +32,9 @@ bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b);
 }  // namespace
 
 bool BedModel::operator==(const BedModel& other) const {
-  return method == other.method && planar == other.planar && close(step, other.step) &&
-         close(overlap, other.overlap) && close(stiffness, other.stiffness);
+  return method == other.method && planar == other.planar && engine == other.engine &&
+         close(step, other.step) && close(overlap, other.overlap) &&
+         close(stiffness, other.stiffness);
 }
 
 bool BedRow::at_rest(int expected_rods) const {
@@ -41,7 +42,9 @@ bool BedRow::at_rest(int expected_rods) const {
          std::fabs(carried_weight - 1) <= 0.01;
 }
 
-std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods) {
+namespace {
+
+std::vector<BedComparison> all_comparisons(const std::vector<std::string>& methods) {
   const BedModel paper;
   std::vector<BedComparison> all;
 
@@ -66,6 +69,10 @@ std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& metho
   }
   all.push_back(planar);
 
+  BedComparison engine{"engine", "Does the planar engine give the same beds?", {paper, paper}};
+  engine.models.front().engine = true;
+  all.push_back(engine);
+
   BedComparison stiffness{"stiffness", "Which stiffness, and what does a softer spring save?", {}};
   for (const double k : {1000.0, 2000.0, 4000.0})
     for (const bool scaled : {false, true}) {
@@ -89,10 +96,35 @@ std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& metho
   return all;
 }
 
+/// Column `planar`.
+std::string motion_text(const BedModel& model) {
+  return model.engine ? "engine" : model.planar ? "yes" : "no";
+}
+
+}  // namespace
+
+std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
+                                           const std::vector<std::string>& only) {
+  const auto all = all_comparisons(methods);
+  if (only.empty()) return all;
+  std::vector<BedComparison> chosen;
+  for (const auto& name : only) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const BedComparison& c) { return c.name == name; });
+    if (found == all.end()) {
+      std::string names;
+      for (const auto& comparison : all) names += " " + comparison.name;
+      throw DataError("--comparisons: '" + name + "', expected one of" + names);
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
 std::string bed_row_text(const BedRow& row) {
   const auto& m = row.model;
   std::string text = m.method + "," + number_text(m.step) + "," + number_text(m.overlap) + "," +
-                     number_text(m.stiffness) + "," + (m.planar ? "yes" : "no") + "," +
+                     number_text(m.stiffness) + "," + motion_text(m) + "," +
                      std::to_string(row.seed) + "," + std::to_string(row.rods);
   for (const double value :
        {row.kinetic, row.elastic, row.carried_weight, row.height, row.solid_fraction, row.order,
@@ -108,9 +140,9 @@ std::vector<BedRow> read_bed_rows(const std::string& file) {
   for (const auto& f : read_fields(file, header)) {
     ++line;
     try {
-      if (f[4] != "yes" && f[4] != "no") throw std::invalid_argument(f[4]);
+      if (f[4] != "yes" && f[4] != "no" && f[4] != "engine") throw std::invalid_argument(f[4]);
       BedRow row;
-      row.model = {f[0], number(f[1]), number(f[2]), number(f[3]), f[4] == "yes"};
+      row.model = {f[0], number(f[1]), number(f[2]), number(f[3]), f[4] != "no", f[4] == "engine"};
       row.seed = static_cast<int>(number(f[5]));
       row.rods = static_cast<int>(number(f[6]));
       std::size_t next = 7;
@@ -124,7 +156,7 @@ std::vector<BedRow> read_bed_rows(const std::string& file) {
       rows.push_back(row);
     } catch (const std::logic_error&) {
       throw DataError(file + ":" + std::to_string(line) +
-                      ": expected a method, three numbers, yes or no, and numbers");
+                      ": expected a method, three numbers, yes, no or engine, and numbers");
     }
   }
   return rows;

@@ -221,14 +221,18 @@ void draw_stiffness(const std::vector<BedRow>& rows, const std::vector<BedModel>
 
 }  // namespace
 
-void draw_beds(const std::vector<BedRow>& rows, const std::vector<std::string>& methods, int rods,
+void draw_beds(const std::vector<BedRow>& rows, const AccuracySettings& settings,
                const std::string& folder) {
-  const auto comparisons = bed_comparisons(methods);
+  const int rods = settings.bed_scene.rods();
+  const auto comparisons = bed_comparisons(settings.bed_methods, settings.bed_comparisons);
   for (const auto& comparison : comparisons) {
     if (comparison.name == "surface") draw_surface(rows, comparison.models, rods, folder);
     if (comparison.name == "stiffness") draw_stiffness(rows, comparison.models, rods, folder);
   }
-  draw_steps(rows, comparisons, rods, folder);
+  const bool steps = std::any_of(
+      comparisons.begin(), comparisons.end(),
+      [](const BedComparison& comparison) { return comparison.name.rfind("step_", 0) == 0; });
+  if (steps) draw_steps(rows, comparisons, rods, folder);
 }
 
 }  // namespace rodpack

@@ -33,7 +33,10 @@ int spheres(double overlap) { return sphere_count({aspect_ratio, diameter, overl
 std::string microseconds(double step) { return number_text(1e6 * step, 3); }
 
 std::string integrator(const BedModel& model) {
-  return model.method + (model.method == "builtin" ? "" : model.planar ? " planar" : " 3D");
+  return model.method + (model.method == "builtin" ? ""
+                         : model.engine            ? " engine"
+                         : model.planar            ? " planar"
+                                                   : " 3D");
 }
 
 std::string bodies(const BedModel& model) {
@@ -182,6 +185,8 @@ std::string bed_guide(const Rows& rows, const std::vector<std::string>& methods,
         add("how rough the rods are", all, summary);
       else if (comparison.name == "planar")
         add("planar or not", all, summary);
+      else if (comparison.name == "engine")
+        add("by run_style verlet/planar", all, summary);
       else if (comparison.name == "stiffness" && (model == paper || model.step != paper_step))
         add("how soft, at a step of its own", all, summary);
       else if (largest && model.step == *largest)
@@ -191,15 +196,15 @@ std::string bed_guide(const Rows& rows, const std::vector<std::string>& methods,
   return table;
 }
 
-std::string beds_section(const Rows& rows, const AccuracySettings& settings,
-                         const BedScene& scene) {
+std::string beds_section(const Rows& rows, const AccuracySettings& settings) {
+  const BedScene& scene = settings.bed_scene;
   if (rows.empty()) return "";
   std::set<int> seeds;
   for (const auto& row : rows) seeds.insert(row.seed);
   std::string section =
       "\n## Beds at rest\n" + std::to_string(scene.rods()) + " rods (AR 5) fall into a container " +
-      number_text(1e3 * scene.width) + " mm wide and rest after " + number_text(scene.duration) +
-      " s; means over " + std::to_string(seeds.size()) +
+      number_text(1e3 * scene.width()) + " mm wide and rest after " +
+      number_text(scene.duration()) + " s; means over " + std::to_string(seeds.size()) +
       " seeds with standard errors, over the runs at rest: all rods there, E_k ≤ 1e-5 E_p, floor "
       "and walls carry the weight to 1 %.\n\n"
       "- φ: covered area over that of an even bed of this mean height. S₂: ⟨cos 2γ⟩ about the "
@@ -212,8 +217,9 @@ std::string beds_section(const Rows& rows, const AccuracySettings& settings,
       "- cost: processor time per simulated second, median over the seeds, over that of the "
       "paper's model (ab3e planar, 11 µs, 9 spheres, 2000 N/m: " +
       number_text(bed_cost(rows, {}), 2) + " s per s).\n";
-  for (const auto& comparison : bed_comparisons(settings.bed_methods))
+  for (const auto& comparison : bed_comparisons(settings.bed_methods, settings.bed_comparisons))
     section += comparison_table(rows, comparison, scene.rods());
+  if (!settings.bed_comparisons.empty()) return section;
   return section + step_table(rows, settings.bed_methods, scene.rods()) +
          surface_table(rows, scene.rods()) +
          "\n### Guide\nErrors are differences from the best model tried of each comparison.\n\n" +

@@ -103,11 +103,12 @@ void measure(const std::string& work, double width, BedRow& row) {
 }  // namespace
 
 BedRow run_bed(const AccuracySettings& settings, const std::string& folder, const BedModel& model,
-               int seed, const BedScene& scene) {
+               int seed) {
+  const BedScene& scene = settings.bed_scene;
   BedRow row;
   row.model = model;
   row.seed = seed;
-  row.steps = std::lround(scene.duration / model.step);
+  row.steps = std::lround(scene.duration() / model.step);
   const std::string integrator = accuracy_method(model.method).integrator;
   const double before = processor_time_of_runs();
   run_accuracy_deck(settings, folder, "in.bed",
@@ -116,13 +117,15 @@ BedRow run_bed(const AccuracySettings& settings, const std::string& folder, cons
                                                                             : " planar no")},
                      {"dt", number_text(model.step, 17)},
                      {"steps", std::to_string(row.steps)},
-                     {"width", number_text(scene.width, 17)},
+                     {"width", number_text(scene.width(), 17)},
                      {"lines", std::to_string(scene.lines)},
+                     {"per_line", std::to_string(scene.per_line)},
+                     {"style", model.engine ? "verlet/planar" : "verlet"},
                      {"overlap", number_text(model.overlap, 17)},
                      {"stiffness", number_text(model.stiffness, 17)},
                      {"seed", std::to_string(seed)}});
   row.seconds_per_step = (processor_time_of_runs() - before) / static_cast<double>(row.steps);
-  measure(folder + "/work", scene.width, row);
+  measure(folder + "/work", scene.width(), row);
   return row;
 }
 
@@ -132,7 +135,7 @@ std::vector<BedRow> measure_beds(const AccuracySettings& settings, const std::st
   const std::string file = folder + "/beds.csv";
   const auto known = read_bed_rows(file);
   std::vector<BedModel> models;
-  for (const auto& comparison : bed_comparisons(settings.bed_methods))
+  for (const auto& comparison : bed_comparisons(settings.bed_methods, settings.bed_comparisons))
     for (const auto& model : comparison.models)
       if (std::find(models.begin(), models.end(), model) == models.end()) models.push_back(model);
   std::vector<BedRow> rows;

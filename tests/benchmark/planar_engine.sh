@@ -1,76 +1,109 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Time of a step of run_style verlet/planar against the built-in multisphere and the sphere-level
-# multisphere/ab: whole decks from the same settled bed, one core, in turns.
+# Time of a step of run_style verlet/planar against the built-in multisphere at the best of three skins
+# (spheres: nve/sphere) and the sphere-level multisphere/ab: whole decks (in.steps) from the same state,
+# one core, in turns.
 #
-#   tests/benchmark/planar_engine.sh BUILD-FOLDER [rounds]
+#   tests/benchmark/planar_engine.sh BUILD-FOLDER [ROUNDS [CASE ...]]
 #
-# The bed, 1500 rods of AR = 5 settled by the built-in, is made once (some minutes). The built-in
-# gets the best of three skins. Prints ns per sphere and step and adds the ratios to
-# BUILD-FOLDER/benchmark/benchmark.json.
+# Prints ns per sphere and step, and writes the ratios to BUILD-FOLDER/benchmark/planar_engine.json.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
 rounds=${2:-5}
-liggghts=$build/bin/liggghts
-out=$build/benchmark
-bed=$out/builtin_bed
+[ $# -lt 2 ] || shift
+shift
+cases=${*:-rest falling ar2 ar7 coarse curved spheres}
 export OMPI_MCA_ess_singleton_isolated=1
-mkdir -p "$out"
-if [ ! -e "$bed/result.json" ]; then
-  rm -rf "$bed"
-  stdbuf -oL "$liggghts" -in "$here/../../inputs/deposition/in.deposition" -var integrator builtin \
-    -var particles 1500 -var particles_per_line 27 -var width_in_lengths 30 -var line_fall 0.0165 \
-    -var container_height 0.4 -var timestep 2.2e-5 -var relaxation_ratio 1e-7 \
-    -var restart_interval 100 -var output_interval 100 -var out "$bed"
-fi
-
-work=$out/planar_engine
+"$here/beds.sh" "$build"
+work=$build/benchmark/planar_engine
 mkdir -p "$work"
 cd "$work"
-# name, deck variables
-methods="builtin_1e-4|builtin|1e-4|yes builtin_3e-4|builtin|3e-4|yes builtin_1e-3|builtin|1e-3|yes \
-spheres_events|spheres|3e-4|yes spheres_plain|spheres|3e-4|no \
-planar_events|planar|3e-4|yes planar_plain|planar|3e-4|no"
-: > times.txt
-round=0
-while [ $round -lt "$rounds" ]; do
-  for entry in $methods; do
-    IFS='|' read -r name method skin events <<EOF
-$entry
-EOF
-    steps=2000
-    if [ "$method" = planar ]; then steps=10000; fi
-    taskset -c 1 "$liggghts" -in "$here/in.planar_engine" -var start "$bed/restart/deposition.end.restart" \
-      -var width 0.45 -var method "$method" -var skin "$skin" -var events "$events" -var steps $steps \
-      > "$name.out" 2>&1 || { tail -3 "$name.out"; exit 1; }
-    awk -v name="$name" '/^Loop time/ { t = $4; n = $9; a = $12 } END { print name, t / n / a * 1e9 }' \
-      "$name.out" >> times.txt
+
+# Sets `bed` (its restart file), `particle` (variables of in.steps) and the methods beside the built-in's.
+describe() {
+  others="spheres planar planar:events=no"
+  stock=builtin
+  state=end
+  folder=$1
+  particle=
+  case $1 in
+    rest)
+      folder=ar5
+      others="$others planar:instructions=avx2 planar:instructions=baseline"
+      ;;
+    falling)
+      folder=ar5
+      state='[0-9]*'
+      ;;
+    ar2) particle="aspect_ratio=2 width=0.12" ;;
+    ar7) particle="aspect_ratio=7 width=0.42" ;;
+    coarse) particle="overlap=0" ;;
+    curved) particle="curvature=120" ;;
+    spheres)
+      particle="aspect_ratio=1 width=0.06"
+      stock=nve
+      ;;
+    *)
+      echo "planar_engine.sh: unknown case '$1', expected rest falling ar2 ar7 coarse curved spheres" >&2
+      exit 2
+      ;;
+  esac
+  # shellcheck disable=SC2012,SC2086  # a pattern; names without blanks
+  bed=$(ls "$build/benchmark/beds/$folder"/restart/deposition.$state.restart | head -n 1)
+  methods=
+  for skin in 1e-4 3e-4 1e-3; do methods="$methods $stock:skin=$skin"; done
+  methods="$methods $others"
+}
+
+for case in $cases; do
+  describe "$case"
+  rm -f "$case.times"
+  round=0
+  while [ $round -lt "$rounds" ]; do
+    for method in $methods; do
+      arguments=
+      for setting in $(echo "$particle ${method#"${method%%:*}"}" | tr ':' ' '); do
+        arguments="$arguments -var ${setting%%=*} ${setting#*=}"
+      done
+      # shellcheck disable=SC2086  # words
+      taskset -c 1 "$build/bin/liggghts" -in "$here/in.steps" -var start "$bed" \
+        -var method "${method%%:*}" -var steps 4000 $arguments > run.out 2>&1 || { tail -3 run.out; exit 1; }
+      # shellcheck disable=SC2016  # awk's
+      awk -v name="$method" '/^Loop time/ { time = $4; steps = $9; spheres = $12 }
+        END { print name, time / steps / spheres * 1e9 }' run.out >> "$case.times"
+    done
+    round=$((round + 1))
   done
-  round=$((round + 1))
 done
 
-# Medians and spread (largest over smallest, less 1), ns per sphere and step; ratios of medians.
-sort -k1,1 -k2,2g times.txt | awk -v file="$out/benchmark.json" '
-  { if ($1 != last) { names[++k] = $1; last = $1 } v[$1, ++count[$1]] = $2 }
-  function median(name) { return v[name, int((count[name] + 1) / 2)] }
-  function spread(name) { return v[name, count[name]] / v[name, 1] - 1 }
-  function entry(name, over, under) {
-    return sprintf("  {\"name\": \"%s\", \"ratio\": %.3g, \"medians_ns_per_sphere_and_step\": [%.4g, %.4g], \"spread\": [%.2g, %.2g]}",
-                   name, median(over) / median(under), median(over), median(under), spread(over), spread(under))
-  }
+# Medians, and spread: largest over smallest, less 1. One entry per case and method.
+for case in rest falling ar2 ar7 coarse curved spheres; do
+  [ ! -e "$case.times" ] || sort -k1,1 -k2,2g "$case.times" | sed "s/^/$case /"
+done | awk -v file="$build/benchmark/planar_engine.json" '
+  { if ($1 != last_case) { cases[++n_cases] = last_case = $1 }
+    if (!(($1, $2) in count)) methods[$1, ++n_methods[$1]] = $2
+    value[$1, $2, ++count[$1, $2]] = $3 }
+  function median(c, m) { return value[c, m, int((count[c, m] + 1) / 2)] }
+  function spread(c, m) { return value[c, m, count[c, m]] / value[c, m, 1] - 1 }
   END {
-    best = "builtin_1e-4"
-    for (i = 1; i <= k; ++i) {
-      printf "%-16s %8.2f ns per sphere and step, spread %.0f %%\n", names[i], median(names[i]), 100 * spread(names[i])
-      if (names[i] ~ /^builtin/ && median(names[i]) < median(best)) best = names[i]
+    for (i = 1; i <= n_cases; ++i) {
+      c = cases[i]
+      best = ""
+      for (k = 1; k <= n_methods[c]; ++k) {
+        m = methods[c, k]
+        if (m ~ /^(builtin|nve)/ && (best == "" || median(c, m) < median(c, best))) best = m
+      }
+      for (k = 1; k <= n_methods[c]; ++k) {
+        m = methods[c, k]
+        printf "%-8s %-30s %8.2f ns per sphere and step, spread %3.0f %%, %5.2f times less than %s\n",
+               c, m, median(c, m), 100 * spread(c, m), median(c, best) / median(c, m), best
+        if (m !~ /^planar/) continue
+        entries[++n] = sprintf("  {\"name\": \"%s, %s over %s\", \"ratio\": %.3g, \"medians_ns_per_sphere_and_step\": [%.4g, %.4g], \"spread\": [%.2g, %.2g]}",
+          c, best, m, median(c, best) / median(c, m), median(c, best), median(c, m), spread(c, best), spread(c, m))
+      }
     }
-    print "["                                                                          > file
-    print entry("planar engine at rest, over built-in at best skin", best, "planar_events") ","       > file
-    print entry("planar engine without events at rest, over built-in at best skin", best, "planar_plain") "," > file
-    print entry("planar engine at rest, over sphere level", "spheres_events", "planar_events") ","    > file
-    print entry("planar engine without events at rest, over sphere level", "spheres_plain", "planar_plain") > file
-    print "]"                                                                          > file
-    close(file)
-    while ((getline line < file) > 0) print line
+    print "[" > file
+    for (k = 1; k <= n; ++k) print entries[k] (k < n ? "," : "") > file
+    print "]" > file
   }'

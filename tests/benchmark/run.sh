@@ -1,11 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Sets the machine up, builds, and measures; results in build/benchmark. Leave the machine alone
-# meanwhile. The packing, 2250 rods of AR = 5, is made once (some minutes).
+# Sets the machine up, builds, and measures; results in build/benchmark, ratios in benchmark.json there.
+# Leave the machine alone meanwhile. The packings are made once (an hour and a half).
 #
-#   tests/benchmark/run.sh     coarse graining: accuracy against time, 9000 rods (the packing four
-#                              times side by side), one core; planar engine: whole decks against the
-#                              built-in multisphere (planar_engine.sh)
+#   tests/benchmark/run.sh     coarse graining: accuracy against time, 9000 rods (the packing four times
+#                              side by side), one core; planar engine: steps (planar_engine.sh), a whole
+#                              deposition (planar_deposition.sh), size and ranks (planar_size.sh), other
+#                              programs (planar_peers.sh)
 set -eu
 cd "$(dirname "$0")/../.."
 
@@ -22,4 +23,11 @@ fi
 step=$(sed 's/.*"step": \([0-9]*\).*/\1/' "$bed/result.json")
 taskset -c 1 build/bin/coarse_graining_benchmark "$bed/dumps/bodies.$step.dump" \
   "$bed/dumps/contacts.$step.dump" build/benchmark/coarse_graining --tiles 4
-tests/benchmark/planar_engine.sh build 5
+for benchmark in planar_engine planar_peers planar_deposition planar_size; do
+  tests/benchmark/$benchmark.sh build
+done
+(
+  cd build/benchmark
+  sed '/^[][]$/d; s/}$/},/' planar_*.json | sed '$s/,$//; 1i[
+$a]' > benchmark.json
+)

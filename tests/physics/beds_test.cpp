@@ -14,9 +14,8 @@ TEST(Beds, ASmallBedComesToRestAndItsWeightIsCarried) {
   AccuracySettings settings;
   settings.liggghts.program = RODPACK_BIN "/liggghts";
   settings.inputs = RODPACK_REPOSITORY "/inputs";
-  BedScene scene;
-  scene.lines = 6;
-  const auto row = run_bed(settings, rodpack::test::fresh_folder().string(), {}, 1, scene);
+  settings.bed_scene.lines = 6;
+  const auto row = run_bed(settings, rodpack::test::fresh_folder().string(), {}, 1);
   EXPECT_TRUE(row.at_rest(30));
   EXPECT_EQ(row.rods, 30);
   EXPECT_EQ(row.steps, 100000);

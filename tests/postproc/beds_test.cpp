@@ -178,9 +178,23 @@ TEST(Beds, CostIsThatOfASimulatedSecond) {
   EXPECT_EQ(bed_cost(rows, {}), 0);
 }
 
+TEST(Beds, ComparisonsCanBeChosen) {
+  const auto chosen = bed_comparisons({"ab3"}, {"engine", "step_ab3"});
+  ASSERT_EQ(chosen.size(), 2u);
+  EXPECT_TRUE(chosen[0].models.front().engine);
+  EXPECT_FALSE(chosen[0].models.front() == chosen[0].models.back());
+  EXPECT_EQ(chosen[1].name, "step_ab3");
+  try {
+    bed_comparisons({"ab3"}, {"engines"});
+    FAIL();
+  } catch (const DataError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'engines', expected one of surface planar engine"));
+  }
+}
+
 TEST(Beds, ComparisonsVaryOneThing) {
   const auto all = bed_comparisons({"builtin", "ab3"});
-  ASSERT_EQ(all.size(), 5u);
+  ASSERT_EQ(all.size(), 6u);
   for (const auto& comparison : all) {
     bool has_paper = false;
     for (const auto& model : comparison.models) {
@@ -196,7 +210,7 @@ TEST(Beds, ComparisonsVaryOneThing) {
     }
     EXPECT_EQ(has_paper, comparison.name.rfind("step_", 0) != 0) << comparison.name;
   }
-  for (const auto& model : all[3].models) EXPECT_EQ(model.method, "builtin");
+  for (const auto& model : all[4].models) EXPECT_EQ(model.method, "builtin");
 }
 
 TEST(Beds, RowsComeBackFromTheirText) {
@@ -231,6 +245,7 @@ TEST(Beds, MalformedRowsAreNamed) {
     return message_of(file, header + "\n" + row + "\n" + text + "\n");
   };
   EXPECT_EQ(with("ab3e", "ab3e"), "no error");
+  EXPECT_EQ(with(",yes,", ",engine,"), "no error");
   EXPECT_THAT(with(",2000,", ",2000N,"), HasSubstr("beds.csv:3: expected a method"));
   EXPECT_THAT(with(",yes,", ",maybe,"), HasSubstr("beds.csv:3: expected a method"));
   EXPECT_THAT(with(",60,", ","), HasSubstr("beds.csv:3: expected method,timestep_s"));
@@ -261,10 +276,11 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
   settings.inputs = RODPACK_REPOSITORY "/inputs";
   BedModel model;
   model.overlap = 0.75;
-  const auto row = run_bed(settings, folder.string(), model, 3, {4, 0.08, 0.11});
+  settings.bed_scene = {24, 5};
+  const auto row = run_bed(settings, folder.string(), model, 3);
   EXPECT_EQ(row.rods, 2);
   EXPECT_EQ(row.seed, 3);
-  EXPECT_EQ(row.steps, 10000);
+  EXPECT_EQ(row.steps, 150000);
   EXPECT_EQ(row.kinetic, 1e-12);
   EXPECT_EQ(row.elastic, 2e-6);
   EXPECT_EQ(row.step_over_limit, 0.4);
@@ -281,7 +297,8 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
   arguments << std::ifstream(folder / "arguments").rdbuf();
   EXPECT_THAT(arguments.str(),
               HasSubstr("-var integrator multisphere/ab order 3 events yes planar yes "));
-  EXPECT_THAT(arguments.str(), HasSubstr("-var lines 4 -var overlap 0.75 -var seed 3"));
+  EXPECT_THAT(arguments.str(), HasSubstr("-var style verlet "));
+  EXPECT_THAT(arguments.str(), HasSubstr("-var lines 24 -var overlap 0.75 -var per_line 5 -var seed 3"));
 }
 
 // A run that left no numbers is a row without rods; one that left nothing is an error
@@ -293,7 +310,7 @@ TEST(Beds, ARunBeyondAllBoundsIsARowWithoutRods) {
     AccuracySettings settings;
     settings.liggghts.program = (folder / "fake").string();
     settings.inputs = RODPACK_REPOSITORY "/inputs";
-    return run_bed(settings, folder.string(), {}, 1, {4, 0.08, 0.11});
+    return run_bed(settings, folder.string(), {}, 1);
   };
   const auto row = fake(
       "echo '# k e l' > energies.txt\necho 'nan nan inf' >> energies.txt\ncat > end.dump << EOD\n"
@@ -348,7 +365,9 @@ TEST(Beds, FiguresAreDrawn) {
   std::vector<BedRow> rows;
   for (const auto& comparison : bed_comparisons({"ab3", "ab3e"}))
     for (const auto& model : comparison.models) add_pair(rows, model, 0.8);
-  draw_beds(rows, {"ab3", "ab3e"}, rods, folder.string());
+  AccuracySettings settings;
+  settings.bed_methods = {"ab3", "ab3e"};
+  draw_beds(rows, settings, folder.string());
   for (const char* name : {"beds_step", "beds_surface", "beds_stiffness"})
     for (const char* suffix : {".png", ".svg"})
       EXPECT_GT(fs::file_size(folder / (std::string(name) + suffix)), 5000u) << name << suffix;

@@ -72,8 +72,7 @@ bool PlanarScene::Data::place_lane(const PlanarBlockPool& pool, int place, int l
   contact.gamman = head.gamma[0];
   contact.gammat = head.gamma[1];
   if (head.j < 0) {
-    const PlanarWall& wall = settings.walls[-1 - head.j];
-    place_wall(contact, frames[head.i], wall.axis, wall.position);
+    place_wall(contact, frames[head.i], settings.walls[-1 - head.j]);
     return contact.deltan >= 0.0;
   }
   place_pair(contact, frames[head.i], frames[head.j]);

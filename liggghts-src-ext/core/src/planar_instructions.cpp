@@ -66,9 +66,13 @@ PlanarInstructions planar_instructions(const std::string& name) {
   throw std::invalid_argument("instructions is " + name + ", expected " + expected);
 }
 
-PlanarKernel planar_kernel(PlanarInstructions instructions) {
-  if (instructions == PlanarInstructions::automatic)
-    instructions = available_planar_instructions().back();
+PlanarInstructions chosen(PlanarInstructions instructions) {
+  return instructions == PlanarInstructions::automatic ? available_planar_instructions().back()
+                                                       : instructions;
+}
+
+PlanarKernel planar_kernel(PlanarInstructions wanted) {
+  const PlanarInstructions instructions = chosen(wanted);
   if (!available(instructions)) planar_instructions(name_of(instructions));  // throws
 #ifdef __x86_64__
   if (instructions == PlanarInstructions::avx512) return planar_kernel_avx512();

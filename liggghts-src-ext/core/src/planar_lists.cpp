@@ -297,13 +297,14 @@ void PlanarScene::Data::list_walls(int i) {
   for (std::size_t w = 0; w < settings.walls.size(); ++w) {
     const PlanarWall& wall = settings.walls[w];
     const double centre = (wall.axis == 0 ? a.x : a.y) - wall.position;
-    if (std::fabs(centre) > a.reach + a.skin) continue;
+    if (wall.side_of(centre) * centre > a.reach + a.skin) continue;
     std::vector<Candidate>& candidates = no_candidates();
     const double along_x = wall.axis == 0 ? a.cosine : a.sine;
     const double along_y = wall.axis == 0 ? -a.sine : a.cosine;
     for (int k = 0; k < info[i].count; ++k) {
-      const double distance = std::fabs(centre + along_x * of_i[k].x + along_y * of_i[k].y);
-      if (distance < radius + a.skin) candidates.push_back({distance - radius, k, 0});
+      const double distance = centre + along_x * of_i[k].x + along_y * of_i[k].y;
+      const double gap = wall.side_of(distance) * distance - radius;
+      if (gap < a.skin) candidates.push_back({gap, k, 0});
     }
     PlanarBlockHead head = PlanarBlockHead();
     head.i = i;

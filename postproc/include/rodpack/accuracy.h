@@ -2,6 +2,7 @@
 #ifndef RODPACK_ACCURACY_H
 #define RODPACK_ACCURACY_H
 
+#include <algorithm>
 #include <functional>
 #include <iosfwd>
 #include <optional>
@@ -69,6 +70,14 @@ struct AccuracyRow {
   double seconds = 0;  // of the run's loop
 };
 
+/// Where the rods of a bed fall (inputs/accuracy/in.bed), line above line.
+struct BedScene {
+  int lines = 12, per_line = 5;
+  int rods() const { return lines * per_line; }
+  double width() const { return 0.016 * per_line; }                           // m
+  double duration() const { return 0.55 + 0.55 * std::max(lines, 12) / 12; }  // s
+};
+
 struct AccuracySettings {
   Liggghts liggghts;
   std::string inputs;  // folder with accuracy/; empty: find_deck looks for it
@@ -79,6 +88,8 @@ struct AccuracySettings {
   long timed_steps = 20000;
   int seeds = 8;                                                      // of the beds
   std::vector<std::string> bed_methods = {"builtin", "ab3", "ab3e"};  // whose step varies
+  std::vector<std::string> bed_comparisons;                           // empty: all
+  BedScene bed_scene;
 };
 
 /// Runs what is missing in `folder`/accuracy.csv, appends it there row by row, and returns all rows

@@ -19,16 +19,9 @@ struct BedModel {
   double overlap = 0.5;         // of neighbouring primary spheres, in diameters
   double stiffness = 2000;      // N/m, normal, of one particle; tangential: half of it
   bool planar = true;           // motion in the plane only; builtin: false, it has no such thing
+  bool engine = false;          // by run_style verlet/planar
 
   bool operator==(const BedModel& other) const;
-};
-
-/// Where the rods fall (inputs/accuracy/in.bed).
-struct BedScene {
-  int lines = 12;         // of 5 rods
-  double width = 0.08;    // m
-  double duration = 1.1;  // s
-  int rods() const { return 5 * lines; }
 };
 
 /// A bed at the end of its run. Means are over what is in the container.
@@ -62,12 +55,14 @@ struct BedComparison {
   std::string question;  // what the table answers
   std::vector<BedModel> models;
 };
-/// surface, planar, stiffness and a `step_METHOD` for each of `methods`.
-std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods);
+/// surface, planar, engine, stiffness and a `step_METHOD` for each of `methods`; those of `only`,
+/// if it names any. @throws DataError for a name that is none.
+std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
+                                           const std::vector<std::string>& only = {});
 
 /// Runs one bed in `folder`/work. @throws DataError when the run fails.
 BedRow run_bed(const AccuracySettings& settings, const std::string& folder, const BedModel& model,
-               int seed, const BedScene& scene = {});
+               int seed);
 
 /// As measure_accuracy, in `folder`/beds.csv: every model of the comparisons of
 /// settings.bed_methods with every seed, once each.
@@ -131,14 +126,14 @@ std::vector<BedSummary> summarise_beds(const std::vector<BedRow>& rows,
 std::optional<double> largest_step_within(const std::vector<BedSummary>& steps, double bound);
 
 /// Section for accuracy.md: the comparisons, the closed forms of the surface, and the guide.
-std::string beds_section(const std::vector<BedRow>& rows, const AccuracySettings& settings,
-                         const BedScene& scene = {});
+std::string beds_section(const std::vector<BedRow>& rows, const AccuracySettings& settings);
 /// The guide alone: scene, model, integrator, step, expected error, relative cost.
 std::string bed_guide(const std::vector<BedRow>& rows, const std::vector<std::string>& methods,
                       int rods);
 
-/// beds_step, beds_surface and beds_stiffness, .png and .svg, in `folder`.
-void draw_beds(const std::vector<BedRow>& rows, const std::vector<std::string>& methods, int rods,
+/// Of the settings' comparisons: beds_step, beds_surface and beds_stiffness, .png and .svg, in
+/// `folder`.
+void draw_beds(const std::vector<BedRow>& rows, const AccuracySettings& settings,
                const std::string& folder);
 
 }  // namespace rodpack

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "planar_scene.h"
 #include "vector3.h"
 
 namespace rodpack {
@@ -81,15 +82,16 @@ inline void place_pair(PlanarContact& c, const PlanarFrame& i, const PlanarFrame
   detail::resolve_contact(c);
 }
 
-/// Completes a contact of a sphere with the wall x_axis = position.
-inline void place_wall(PlanarContact& c, const PlanarFrame& i, int axis, double position) {
+/// Completes a contact of a sphere with a wall. The distance is negative behind a solid one.
+inline void place_wall(PlanarContact& c, const PlanarFrame& i, const PlanarWall& wall) {
   c.is_wall = true;
   c.body_j = -1;
   detail::place_sphere(i, c.offset_i, c.arm_i, c.body_v_i, c.v_i, c.omega_i);
   for (int d = 0; d < 3; ++d)
     c.arm_j[d] = c.body_v_j[d] = c.v_j[d] = c.omega_j[d] = c.delta[d] = 0.0;
-  c.delta[axis] = (axis == 0 ? i.x : i.y) + c.arm_i[axis] - position;
-  c.r = std::fabs(c.delta[axis]);
+  c.delta[wall.axis] = (wall.axis == 0 ? i.x : i.y) + c.arm_i[wall.axis] - wall.position;
+  if (c.delta[wall.axis] == 0.0) c.delta[wall.axis] = 1e-300;  // the normal is delta / r
+  c.r = wall.side_of(c.delta[wall.axis]) * c.delta[wall.axis];
   c.rsq = c.r * c.r;
   c.radj = 0.0;
   c.radsum = c.radi;

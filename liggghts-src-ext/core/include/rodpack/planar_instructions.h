@@ -15,6 +15,8 @@ enum class PlanarInstructions { automatic, baseline, avx2, avx512 };
 const char* name_of(PlanarInstructions instructions);
 /// @throws std::invalid_argument for any other name, or a set that the processor does not have.
 PlanarInstructions planar_instructions(const std::string& name);
+/// The set itself, or the best that this processor has.
+PlanarInstructions chosen(PlanarInstructions instructions);
 /// Those that this processor has, best last.
 std::vector<PlanarInstructions> available_planar_instructions();
 

@@ -2,15 +2,21 @@
 // Contacts with walls, a block at a time, and the motion of bodies; included after planar_kernel.h,
 // for lanes of four.
 
+/// Where a wall pushes spheres with centres at `distance` from it along its axis.
+inline Lanes sides_of(const PlanarWall& wall, Lanes distance) {
+  if (wall.free_side != 0) return all_lanes(wall.free_side);
+  return lane_choice(lane_less(distance, all_lanes(0.0)), all_lanes(-1.0), all_lanes(1.0));
+}
+
 /// Evaluates lasting contacts with a wall, at the `distance` of the spheres' centres from it along
 /// its axis; returns the lanes that need the general way.
 inline int evaluate_lasting_wall(PlanarBlockHead& head, BlockValues& values, const Arms& arms,
-                                 int axis, Lanes distance, int lasting,
+                                 const PlanarWall& wall, Lanes distance, int lasting,
                                  const PlanarForces& forces) {
   const PlanarFrame& i = forces.frames[head.i];
   const Lanes zero = all_lanes(0.0), radius = all_lanes(i.radius);
-  const Lanes side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
-  const Lanes nx = axis == 0 ? side : zero, ny = axis == 0 ? zero : side;
+  const Lanes side = sides_of(wall, distance);
+  const Lanes nx = wall.axis == 0 ? side : zero, ny = wall.axis == 0 ? zero : side;
   const Lanes overlap = radius - distance * side;
   const Lanes lever = radius - 0.5 * overlap;
   const Lanes px = arms.x - lever * nx, py = arms.y - lever * ny;
@@ -42,8 +48,7 @@ int evaluate_walls(const PlanarForces& forces) {
     const double* const frame[lane_blocks] = {of_i, of_i};
     const Arms arms = arms_of(values, planar_xi, planar_yi, frame);
     const Lanes distance = (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
-    const Lanes side =
-        lane_choice(lane_less(distance, all_lanes(0.0)), all_lanes(-1.0), all_lanes(1.0));
+    const Lanes side = sides_of(wall, distance);
     const int touching = ~lane_bits(lane_less(all_lanes(i.radius), distance * side)) & head.used;
     const int here = touching | head.alive;
     if (here == 0) continue;
@@ -51,7 +56,7 @@ int evaluate_walls(const PlanarForces& forces) {
     if (forces.jumped && forces.jumped[head.i]) lasting = 0;
     int general = here & ~lasting;
     if (lasting)
-      general |= evaluate_lasting_wall(head, values, arms, wall.axis, distance, lasting, forces);
+      general |= evaluate_lasting_wall(head, values, arms, wall, distance, lasting, forces);
     if (general != 0) forces.general[entries++] = {place, general};
   }
   return entries;

@@ -21,11 +21,18 @@ struct PlanarLaw {
   double friction;      // mu >= 0
 };
 
-/// A wall x = position (axis 0) or y = position (axis 1), of infinite mass; it acts on both sides.
+/// A wall x = position (axis 0) or y = position (axis 1), of infinite mass.
 struct PlanarWall {
   int axis;
   double position;
   int type;
+  /// 1 or -1: it pushes to that side of the axis, however deep a sphere is; 0: to the side of the
+  /// sphere's centre.
+  int free_side = 0;
+  /// Side on which a centre at this distance along the axis is pushed.
+  int side_of(double distance) const {
+    return free_side != 0 ? free_side : distance > 0.0 ? 1 : -1;
+  }
 };
 
 struct PlanarSettings {

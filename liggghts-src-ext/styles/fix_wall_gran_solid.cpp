@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_wall_gran_solid.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "atom.h"
+#include "contact_interface.h"
+#include "error.h"
+#include "fix_property_atom.h"
+#include "force.h"
+#include "granular_wall.h"
+#include "neighbor.h"
+
+using namespace LAMMPS_NS;
+
+/// The words of the command that wall/gran understands, and the side.
+struct FixWallGranSolid::Arguments {
+  std::vector<char*> words;
+  std::string plane, bound;
+  double position;
+
+  Arguments(LAMMPS* lmp, int narg, char** arg) : position(0.0) {
+    for (int k = 0; k < narg; ++k) {
+      if (std::strcmp(arg[k], "bound") == 0) {
+        bound = k + 1 < narg ? arg[++k] : "nothing";
+        continue;
+      }
+      words.push_back(arg[k]);
+      if (std::strcmp(arg[k], "primitive") != 0 || k + 4 >= narg) continue;
+      plane = arg[k + 3];
+      position = lmp->force->numeric(FLERR, arg[k + 4]);
+    }
+  }
+};
+
+FixWallGranSolid::FixWallGranSolid(LAMMPS* lmp, int narg, char** arg)
+    : FixWallGranSolid(lmp, Arguments(lmp, narg, arg)) {}
+
+FixWallGranSolid::FixWallGranSolid(LAMMPS* lmp, Arguments given)
+    : FixWallGran(lmp, static_cast<int>(given.words.size()), given.words.data()),
+      axis_(-1),
+      position_(given.position),
+      free_side_(given.bound == "lo" ? 1 : -1) {
+  const char* const planes[] = {"xplane", "yplane", "zplane"};
+  for (int d = 0; d < 3; ++d)
+    if (given.plane == planes[d]) axis_ = d;
+  if (axis_ < 0)
+    fail("expected a plane, 'primitive type T xplane|yplane|zplane POSITION', got '" + given.plane +
+         "'");
+  if (given.bound != "lo" && given.bound != "hi")
+    fail("bound must be lo (the particles are above the plane) or hi (below it), got '" +
+         given.bound + "'");
+  refuse_what_it_cannot();
+}
+
+void FixWallGranSolid::fail(const std::string& message) const {
+  error->all(FLERR, (std::string("Fix wall/gran/solid (id ") + id + "): " + message).c_str());
+  std::abort();  // not reached
+}
+
+void FixWallGranSolid::refuse_what_it_cannot() const {
+  if (shear_) fail("'shear' is not supported, expected a wall at rest");
+  if (Temp_wall >= 0.0) fail("'temperature' is not supported, expected a wall without heat");
+}
+
+void FixWallGranSolid::pre_force(int vflag) {
+  const bool stale = rebuildPrimitiveNeighlist_;
+  FixWallGran::pre_force(vflag);
+  if (!stale) return;
+  near_.clear();
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (depth(i) > -neighbor->skin) near_.push_back(i);
+}
+
+/// As that of wall/gran, with a distance that is negative behind the plane.
+void FixWallGranSolid::post_force_primitive(int) {
+  double** const histories = dnum() > 0 ? fix_history_primitive_->array_atom : NULL;
+  double at_rest[] = {0.0, 0.0, 0.0};
+  LCM::SurfacesIntersectData contact;
+  contact.is_wall = true;
+  for (int i : near_) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double overlap = depth(i);
+    if (overlap < -(neighbor->contactDistanceFactor - 1.0) * radius_[i]) {
+      if (histories) std::fill_n(histories[i], dnum(), 0.0);
+      continue;
+    }
+    contact.i = i;
+    contact.contact_history = histories ? histories[i] : NULL;
+    contact.radi = radius_[i];
+    contact.deltan = overlap;
+    // The models divide by the distance, radius - overlap.
+    if (contact.deltan == contact.radi)
+      contact.deltan *= 1.0 - std::numeric_limits<double>::epsilon();
+    for (int d = 0; d < 3; ++d) contact.delta[d] = 0.0;
+    contact.delta[axis_] = free_side_ * (contact.radi - contact.deltan);
+    impl->compute_force(this, contact, overlap >= 0.0, at_rest);
+  }
+}

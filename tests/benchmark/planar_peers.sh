@@ -1,0 +1,80 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Other programs, those of them that are installed: LAMMPS's rigid/small in two dimensions (`lmp`) from the
+# bed at rest of beds.sh, beside run_style verlet/planar; and another binary of stock LIGGGHTS (`liggghts`)
+# beside ours, with the built-in multisphere: is ours a fair baseline?
+#
+#   tests/benchmark/planar_peers.sh BUILD-FOLDER [ROUNDS]
+#
+# Writes BUILD-FOLDER/benchmark/planar_peers.json.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=$(cd "$1" && pwd)
+rounds=${2:-5}
+work=$build/benchmark/planar_peers
+bed=$build/benchmark/beds/ar5
+export OMPI_MCA_ess_singleton_isolated=1
+"$here/beds.sh" "$build"
+mkdir -p "$work"
+cd "$work"
+rm -f times.txt
+
+# NAME COMMAND …: adds the ns per sphere and step of its last run
+clock() {
+  name=$1
+  shift
+  taskset -c 1 "$@" > run.out 2>&1 || { tail -3 run.out; exit 1; }
+  # shellcheck disable=SC2016  # awk's
+  awk -v name="$name" '/^Loop time/ { time = $4; steps = $9; spheres = $12 }
+    END { print name, time / steps / spheres * 1e9 }' run.out >> times.txt
+}
+
+# Bodies of the dumps, each sphere as dense as gives the body its mass.
+# shellcheck disable=SC2012  # names without blanks
+awk 'FNR == 1 { file++ }
+  file == 1 && FNR > 9 { mass[$1] = $NF; spheres[$1] = $3 }
+  file == 2 && FNR == 6 { x = $0 }
+  file == 2 && FNR == 7 { y = $0 }
+  file == 2 && FNR > 9 {
+    density = mass[$2] / spheres[$2] / (4 / 3 * 3.14159265358979 * $7 ^ 3)
+    atom[++n] = $1 " 1 " 2 * $7 " " density " " $4 " " $5 " 0"
+    body[n] = $1 " " $2
+  }
+  END {
+    print "bed\n\n" n " atoms\n1 atom types\n" x " xlo xhi\n" y " ylo yhi\n-0.01 0.01 zlo zhi\n\nAtoms # sphere\n"
+    for (k = 1; k <= n; ++k) print atom[k]
+    print "\nMolecules\n"
+    for (k = 1; k <= n; ++k) print body[k]
+  }' "$(ls -t "$bed"/dumps/bodies.* | head -n 1)" "$(ls -t "$bed"/dumps/spheres.* | head -n 1)" > bed.data
+
+round=0
+while [ $round -lt "$rounds" ]; do
+  clock planar "$build/bin/liggghts" -in "$here/in.steps" -var method planar \
+    -var start "$bed/restart/deposition.end.restart" -var steps 4000
+  if command -v lmp > lmp.path; then
+    for skin in 1e-4 3e-4 1e-3; do clock lmp_$skin lmp -in "$here/in.lammps" -var skin $skin; done
+  fi
+  if command -v liggghts > liggghts.path; then
+    clock stock_there liggghts -in "$here/in.stock"
+    clock stock_here "$build/bin/liggghts" -in "$here/in.stock"
+  fi
+  round=$((round + 1))
+done
+sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_peers.json" '
+  { value[$1, ++count[$1]] = $2 }
+  function median(m) { return value[m, int((count[m] + 1) / 2)] }
+  function spread(m) { return value[m, count[m]] / value[m, 1] - 1 }
+  function pair(name, a, b) {
+    return sprintf("  {\"name\": \"%s\", \"ratio\": %.3g, \"medians_ns_per_sphere_and_step\": [%.4g, %.4g], \"spread\": [%.2g, %.2g]}",
+                   name, median(a) / median(b), median(a), median(b), spread(a), spread(b))
+  }
+  END {
+    for (m in count) {
+      printf "%-12s %8.2f ns per sphere and step, spread %3.0f %%\n", m, median(m), 100 * spread(m)
+      if (m ~ /^lmp/ && (best == "" || median(m) < median(best))) best = m
+    }
+    print "[" > file
+    if (best != "") print pair("rest, LAMMPS " best " over planar", best, "planar") ("stock_here" in count ? "," : "") > file
+    if ("stock_here" in count) print pair("built-in multisphere, installed liggghts over ours", "stock_there", "stock_here") > file
+    print "]" > file
+  }'
