@@ -59,13 +59,35 @@ struct GravityAccess : FixGravity {
 
 RunPlanar::RunPlanar(LAMMPS* lmp, int narg, char** arg)
     : Verlet(lmp, narg, arg), min_skin_(0.0), max_skin_(0.0), contacts_(lmp), owners_(lmp) {
-  if (narg == 0) return;
-  if (narg != 3 || std::strcmp(arg[0], "skin") != 0)
-    refuse(std::string("unknown keyword '") + arg[0] + "', expected skin and two lengths");
-  min_skin_ = force->numeric(FLERR, arg[1]);
-  max_skin_ = force->numeric(FLERR, arg[2]);
-  if (!(min_skin_ > 0.0) || max_skin_ < min_skin_)
-    refuse(std::string("skin is ") + arg[1] + " " + arg[2] + ", expected 0 < least <= largest (m)");
+  read_options(narg, arg);
+  if (comm->me != 0) return;
+  const std::string line = std::string("run_style verlet/planar: processor instructions ") +
+                           rodpack::name_of(rodpack::chosen(instructions_)) + "\n";
+  for (FILE* out : {screen, logfile})
+    if (out) std::fputs(line.c_str(), out);
+}
+
+void RunPlanar::read_options(int narg, char** arg) {
+  for (int k = 0; k < narg;) {
+    if (std::strcmp(arg[k], "skin") == 0 && k + 2 < narg) {
+      min_skin_ = force->numeric(FLERR, arg[k + 1]);
+      max_skin_ = force->numeric(FLERR, arg[k + 2]);
+      if (!(min_skin_ > 0.0) || max_skin_ < min_skin_)
+        refuse(std::string("skin is ") + arg[k + 1] + " " + arg[k + 2] +
+               ", expected 0 < least <= largest (m)");
+      k += 3;
+    } else if (std::strcmp(arg[k], "instructions") == 0 && k + 1 < narg) {
+      try {
+        instructions_ = rodpack::planar_instructions(arg[k + 1]);
+      } catch (const std::invalid_argument& reason) {
+        refuse(reason.what());
+      }
+      k += 2;
+    } else {
+      refuse(std::string("unknown keyword or missing value at '") + arg[k] +
+             "', expected skin and two lengths, or instructions and their name");
+    }
+  }
 }
 
 RunPlanar::~RunPlanar() = default;
@@ -257,6 +279,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
                        -(domain->subhi[1] - domain->sublo[1])};
   for (const rodpack::PlanarBody& body : bodies) largest[0] = std::max(largest[0], -body.radius);
   ranks_->largest(largest, 3);
+  settings.instructions = instructions_;
   settings.min_skin = min_skin_ > 0.0 ? min_skin_ : -0.06 * largest[0];
   settings.max_skin = max_skin_ > 0.0 ? max_skin_ : -0.6 * largest[0];
   // LIGGGHTS passes atoms and bodies on to the next rank, not beyond it; they may have gone half

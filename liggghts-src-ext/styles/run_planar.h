@@ -16,6 +16,7 @@ IntegrateStyle(verlet/planar,RunPlanar)
 #include "mpi_ranks.h"
 #include "planar_contacts.h"
 #include "planar_owners.h"
+#include "rodpack/planar_instructions.h"
 #include "verlet.h"
 
 namespace LAMMPS_NS {
@@ -52,7 +53,10 @@ class RunPlanar : public Verlet {
   void exchange_and_list();
   void give_back();
 
+  void read_options(int narg, char** arg);
+
   double min_skin_, max_skin_;  // m; 0: from the particles
+  rodpack::PlanarInstructions instructions_ = rodpack::PlanarInstructions::automatic;
   class FixMultisphereAB* bodies_ = NULL;
   class FixGravity* gravity_ = NULL;
   PlanarContacts contacts_;

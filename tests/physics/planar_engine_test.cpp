@@ -187,6 +187,15 @@ TEST(PlanarEngine, ForcesOfABedAtRestAreThoseOfTheSphereLevelStyles) {
   }
 }
 
+TEST(PlanarEngine, RunsWithTheInstructionsThatItIsTold) {
+  const Vars vars = {{"steps", "100"}, {"every", "50"}};
+  Vars told = vars;
+  told["style"] = "verlet/planar skin 1e-4 1e-3 instructions baseline";
+  const auto run = run_liggghts(deck, told);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("run_style verlet/planar: processor instructions baseline"));
+}
+
 // Nothing that the engine knows stays in it: what LIGGGHTS writes is all.
 TEST(PlanarEngine, RestartGoesOnExactly) {
   const Vars vars = {{"rods", "15"},
@@ -233,6 +242,12 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
               HasSubstr("run_style verlet/planar: fix multisphere/ab moves in space"));
   EXPECT_THAT(output({{"style", "verlet/planar skin 2e-3 1e-3"}}),
               HasSubstr("skin is 2e-3 1e-3, expected"));
+  EXPECT_THAT(output({{"style", "verlet/planar instructions sse9"}}),
+              HasSubstr("run_style verlet/planar: instructions is sse9, expected auto, baseline"));
+  EXPECT_THAT(output({{"style", "verlet/planar instructions"}}),
+              HasSubstr("missing value at 'instructions', expected skin and two lengths, or"));
+  EXPECT_THAT(output({{"style", "verlet/planar sikn 1e-4 1e-3"}}),
+              HasSubstr("unknown keyword or missing value at 'sikn'"));
 }
 
 // Ranks differ from one another by the order of sums: nothing in the time of this test, in which

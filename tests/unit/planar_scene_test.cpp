@@ -283,6 +283,79 @@ TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
   }
 }
 
+// Loads of a heap that moves and of one that rests, and forces of its contacts, after some steps from
+// the same state; measured by the largest normal force.
+TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
+  for (const bool events : {false, true})
+    for (const int order : {2, 3, 4}) {
+      PlanarSettings settings = box(5);
+      settings.types = 2;
+      settings.laws.assign(4, paper);
+      settings.laws[3].kn *= 1.5;  // by type, so that the lanes of a register differ
+      settings.events = events;
+      settings.order = order;
+      settings.remembered = 4;
+      std::vector<PlanarBody> start = heap(23, 5, 2.0);
+      for (std::size_t k = 0; k < start.size(); ++k) start[k].type = k % 2;
+      for (const long before : {9000L, 60000L}) {
+        PlanarScene scene(settings, start);
+        scene.evaluate();
+        scene.run(before);
+        std::vector<PlanarBody> bodies;
+        for (int k = 0; k < scene.size(); ++k) bodies.push_back(scene.body(k));
+        std::vector<double> expected;
+        for (const PlanarInstructions instructions : available_planar_instructions()) {
+          settings.instructions = instructions;
+          PlanarScene one(settings, bodies);
+          one.set_contacts(scene.contacts());
+          one.run(50);
+          std::vector<double> forces;
+          for (int k = 0; k < one.size(); ++k)
+            for (int d = 0; d < 3; ++d)
+              forces.push_back(one.body(k).load[d] / (d < 2 ? 1.0 : diameter));
+          std::map<std::array<int, 4>, std::array<double, 2>> contacts;
+          double largest = 0;
+          for (const PlanarContactState& c : one.contacts()) {
+            contacts[{c.body_i, c.sphere_i, c.body_j, c.sphere_j}] = {c.uncut,
+                                                                      c.constants[1] * c.spring};
+            largest = std::max(largest, std::fabs(c.uncut));
+          }
+          for (const auto& contact : contacts)
+            forces.insert(forces.end(), contact.second.begin(), contact.second.end());
+          EXPECT_GT(contacts.size(), before > 10000 ? 20u : 5u);
+          if (instructions == PlanarInstructions::baseline) expected = forces;
+          ASSERT_EQ(forces.size(), expected.size());
+          EXPECT_LT(difference(expected, forces), 1e-12 * largest)
+              << name_of(instructions) << ' ' << order << ' ' << before;
+        }
+        settings.instructions = PlanarInstructions::automatic;
+      }
+    }
+}
+
+TEST(PlanarScene, InstructionsAreKnownByName) {
+  const auto sets = available_planar_instructions();
+  ASSERT_FALSE(sets.empty());
+  EXPECT_EQ(sets.front(), PlanarInstructions::baseline);
+  EXPECT_EQ(chosen(PlanarInstructions::automatic), sets.back());
+  for (const PlanarInstructions set : sets) EXPECT_EQ(planar_instructions(name_of(set)), set);
+  EXPECT_EQ(planar_instructions("auto"), PlanarInstructions::automatic);
+  for (const char* name : {"baseline", "avx2", "avx512"}) {
+    const bool there = std::any_of(sets.begin(), sets.end(), [&](PlanarInstructions set) {
+      return std::string(name_of(set)) == name;
+    });
+    if (!there) {
+      EXPECT_THROW(planar_instructions(name), std::invalid_argument);
+    }
+  }
+  try {
+    planar_instructions("sse9");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("instructions is sse9, expected auto, baseline"));
+  }
+}
+
 // Everything that the next step needs is in body() and contacts().
 TEST(PlanarScene, GoesOnFromItsBodiesAndContacts) {
   for (const bool events : {false, true}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of one step: the general path, one contact at a time by the formulas that the sphere-level
-// styles call.
+// Forces of one step: what is common to its contacts, and the general path, one contact at a time
+// by the formulas that the sphere-level styles call.
 #include <algorithm>
 #include <cmath>
 
@@ -9,26 +9,73 @@
 
 namespace rodpack {
 
+void PlanarScene::Data::evaluate_forces() {
+  evaluate_general(pairs, kernel.pairs(forces_of(pairs)));
+  evaluate_general(at_walls, kernel.walls(forces_of(at_walls)));
+}
+
+PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
+  PlanarForces forces = PlanarForces();
+  forces.heads = pool.heads.data();
+  forces.values = pool.all_values.data();
+  forces.count = pool.size();
+  forces.touching = pool.touching();
+  forces.stride = pool.stride();
+  forces.newest = pool.velocity(0, true);
+  forces.frames = frames.data();
+  forces.moved = moved.data();
+  forces.loads = loads.data();
+  forces.jumped = events.jumped();
+  forces.laws = laws.data();
+  forces.one_law = laws.size() == 1;
+  forces.walls = settings.walls.data();
+  forces.order = settings.order;
+  const MultistepWeights& weights = adams_bashforth_weights(settings.order);
+  for (int k = 0; k < settings.order; ++k) {
+    forces.velocity[k] = pool.velocity(k);
+    forces.spring_weights[k] = settings.dt * weights[k];
+  }
+  forces.follows = follows;
+  if (static_cast<int>(general.size()) < pool.size()) {
+    general.resize(pool.size());
+    awake.resize(pool.size());
+  }
+  forces.general = general.data();
+  forces.awake = awake.data();
+  return forces;
+}
+
+/// The lanes that need it, and then the turn of all velocities.
+void PlanarScene::Data::evaluate_general(PlanarBlockPool& pool, int entries) {
+  for (int k = 0; k < entries; ++k)
+    for (int lane = 0; lane < planar_lanes; ++lane)
+      if (general[k].lanes & 1 << lane) evaluate_lane(pool, general[k].place, lane);
+  pool.turn();
+}
+
 /// Sets the contact of a lane; false if its spheres do not overlap.
-bool PlanarScene::Data::place_lane(const PlanarBlock& block, int lane,
+bool PlanarScene::Data::place_lane(const PlanarBlockPool& pool, int place, int lane,
                                    PlanarContact& contact) const {
-  contact.body_i = block.i;
-  contact.body_j = block.j;
-  contact.offset_i[0] = block.xi[lane];
-  contact.offset_i[1] = block.yi[lane];
-  contact.offset_j[0] = block.xj[lane];
-  contact.offset_j[1] = block.yj[lane];
-  contact.radi = block.radius_i;
-  contact.radj = block.radius_j;
-  contact.kn = block.kn;
-  contact.kt = block.kt;
-  contact.gamman = block.gamma_n;
-  contact.gammat = block.gamma_t;
-  if (block.j < 0) {
-    place_wall(contact, frames[block.i], settings.walls[-1 - block.j]);
+  const PlanarBlockHead& head = pool.heads[place];
+  const double* const values = pool.values(place) + lane;
+  const PlanarLawConstants& law = laws[head.law];
+  contact.body_i = head.i;
+  contact.body_j = head.j;
+  contact.offset_i[0] = values[planar_xi];
+  contact.offset_i[1] = values[planar_yi];
+  contact.offset_j[0] = values[planar_xj];
+  contact.offset_j[1] = values[planar_yj];
+  contact.radi = frames[head.i].radius;
+  contact.radj = head.j < 0 ? 0.0 : frames[head.j].radius;
+  contact.kn = law.kn;
+  contact.kt = law.kt;
+  contact.gamman = head.gamma[0];
+  contact.gammat = head.gamma[1];
+  if (head.j < 0) {
+    place_wall(contact, frames[head.i], settings.walls[-1 - head.j]);
     return contact.deltan >= 0.0;
   }
-  place_pair(contact, frames[block.i], frames[block.j]);
+  place_pair(contact, frames[head.i], frames[head.j]);
   return contact.rsq < contact.radsum * contact.radsum;
 }
 
@@ -52,11 +99,10 @@ void PlanarScene::Data::apply(const PlanarContact& contact, double normal,
 }
 
 void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
-  PlanarBlock& block = pool.blocks[place];
-  const int bit = 1 << lane;
-  const bool alive = (block.alive & bit) != 0;
+  const bool alive = (pool.heads[place].alive & 1 << lane) != 0;
+  const double friction = laws[pool.heads[place].law].friction;
   PlanarContact contact;
-  const bool touches = place_lane(block, lane, contact);
+  const bool touches = place_lane(pool, place, lane, contact);
   if (!touches && !alive) return;
 
   Saved lane_state;
@@ -74,9 +120,9 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   history.count() = !alive ? 0.0 : lane_state.sliding ? -lane_state.count : lane_state.count;
   history.step() = now - 1.0;
   history.since() = lane_state.since;
-  history.constants()[0] = block.friction;
-  history.constants()[1] = block.kt;
-  history.constants()[2] = block.gamma_t;
+  history.constants()[0] = friction;
+  history.constants()[1] = contact.kt;
+  history.constants()[2] = contact.gammat;
   NormalHistory normal_history = {lane_state.uncut, lane_state.touch_rate,
                                   lane_state.fresh ? 1.0 : 0.0, now};
   PlanarEvents* const followed = follows ? &events : nullptr;
@@ -98,7 +144,7 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   follow_normal_force(contact, normal_history, normal.elastic - contact.gamman * contact.vn, alive,
                       settings.dt, followed);
   const TangentialForce tangential =
-      tangential_contact_force(contact, history, block.friction, true, tangential_step(),
+      tangential_contact_force(contact, history, friction, true, tangential_step(),
                                static_cast<const PlanarEvents*>(followed), followed);
   apply(contact, normal.total, tangential.force);
 
@@ -112,7 +158,7 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   lane_state.uncut = normal_history.uncut;
   lane_state.touch_rate = normal_history.touch_rate;
   lane_state.fresh = normal_history.fresh != 0.0;
-  restore_lane(pool, place, lane, lane_state);
+  restore_lane(pool, place, lane, lane_state, true);
 }
 
 }  // namespace rodpack

@@ -25,7 +25,7 @@ double* put_frame(const PlanarFrame& frame, double* to) {
 }
 
 const double* get_frame(const double* from, PlanarFrame& frame) {
-  frame = {from[0], from[1], from[2], from[3], {from[4], from[5], from[6], 0.0}};
+  frame = {from[0], from[1], from[2], from[3], {from[4], from[5], from[6]}, frame.radius};
   return from + frame_values;
 }
 
@@ -63,7 +63,7 @@ struct Box {
 PlanarHalo::PlanarHalo(PlanarRanks& ranks, PlanarScene::Data& scene) : ranks_(ranks) {
   double reach = 0.0;
   for (int b = 0; b < scene.owned; ++b) {
-    reach = std::max(reach, scene.info[b].reach);
+    reach = std::max(reach, scene.listed[b].reach);
     const PlanarFrame& frame = scene.frames[b];
     begun_.push_back({frame.x, frame.y, frame.cosine, frame.sine});
   }
@@ -110,8 +110,8 @@ bool PlanarHalo::ask(const PlanarScene::Data& scene) {
   double speed = 0.0, least_room = 1e300;
   for (int b = 0; b < scene.owned; ++b) {
     const double* v = scene.frames[b].velocity;
-    speed = std::max(speed,
-                     std::sqrt(v[0] * v[0] + v[1] * v[1]) + scene.info[b].reach * std::fabs(v[2]));
+    speed = std::max(
+        speed, std::sqrt(v[0] * v[0] + v[1] * v[1]) + scene.listed[b].reach * std::fabs(v[2]));
     if (is_limited_) least_room = std::min(least_room, room(scene, b));
   }
   double values[3] = {way, speed, -least_room};
@@ -135,7 +135,7 @@ double PlanarHalo::room(const PlanarScene::Data& scene, int body) const {
   const PlanarFrame& frame = scene.frames[body];
   const Place& begun = begun_[body];
   const double c = frame.cosine - begun.cosine, s = frame.sine - begun.sine;
-  const double turn = scene.info[body].reach * std::sqrt(c * c + s * s);
+  const double turn = scene.listed[body].reach * std::sqrt(c * c + s * s);
   const double* limit = scene.settings.farthest;
   return std::min(limit[0] - std::fabs(frame.x - begun.x),
                   limit[1] - std::fabs(frame.y - begun.y)) -
@@ -174,7 +174,7 @@ std::vector<std::vector<double>> PlanarHalo::choose(PlanarScene::Data& scene,
       own.low[d] = std::min(own.low[d], place[d]);
       own.high[d] = std::max(own.high[d], place[d]);
     }
-    own.reach = std::max(own.reach, scene.info[b].reach);
+    own.reach = std::max(own.reach, scene.listed[b].reach);
   }
   const std::vector<double> boxes =
       ranks_.gather({own.low[0], own.low[1], own.high[0], own.high[1], own.reach});
@@ -188,7 +188,7 @@ std::vector<std::vector<double>> PlanarHalo::choose(PlanarScene::Data& scene,
     std::vector<double>& to = records[rank];
     for (int b = 0; b < scene.owned; ++b) {
       const PlanarBodyInfo& info = scene.info[b];
-      if (!box.is_near(scene.frames[b], info.reach + box.reach + 2.0 * way_)) continue;
+      if (!box.is_near(scene.frames[b], scene.listed[b].reach + box.reach + 2.0 * way_)) continue;
       chosen[rank].push_back(b);
       const std::size_t at = to.size();
       to.resize(at + record_values + frame_values + change_values + 3 * info.count);
@@ -269,25 +269,22 @@ void PlanarHalo::receive(PlanarScene::Data& scene,
     info.type = static_cast<int>(values[1]);
     info.mass = values[2];
     info.moment = values[3];
-    info.radius = values[4];
-    info.reach = 0.0;
+    info.radius = frame.radius = values[4];
+    double& reach = scene.listed[ghost].reach;
+    reach = 0.0;
     for (int k = 0; k < info.count; ++k) {
       const PlanarSphere& sphere = scene.spheres[info.first + k];
-      info.reach = std::max(info.reach, std::hypot(sphere.x, sphere.y) + info.radius);
+      reach = std::max(reach, std::hypot(sphere.x, sphere.y) + info.radius);
     }
-    info.x = frame.x;
-    info.y = frame.y;
-    info.cosine = frame.cosine;
-    info.sine = frame.sine;
-    info.skin = scene.wanted_skin(ghost);
+    scene.mark_listed(ghost);
     if (!scene.lists_exist) continue;
-    scene.grid.add(ghost, info.x, info.y);
+    scene.grid.add(ghost, frame.x, frame.y);
     scene.to_list.push_back(ghost);
   }
 }
 
 void PlanarHalo::drop(PlanarScene::Data& scene, int ghost) {
-  while (!scene.pairs.of_body(ghost).empty()) scene.pairs.remove(scene.pairs.of_body(ghost).back());
+  scene.pairs.remove_all_of(ghost);
   if (scene.lists_exist) scene.grid.remove(ghost);
   scene.info[ghost].count = 0;
   unused_.push_back(ghost);
@@ -364,14 +361,16 @@ void PlanarHalo::unpack(PlanarScene::Data& scene, const Partner& partner,
   }
 }
 
-/// As Data::advance_all does with own bodies.
+/// As the kernel does with own bodies that have moved; forces on ghosts are of no use.
 void PlanarHalo::list_if_moved(PlanarScene::Data& scene, int ghost) const {
+  scene.loads[ghost] = PlanarVector();
   const PlanarFrame& frame = scene.frames[ghost];
-  const PlanarBodyInfo& at = scene.info[ghost];
+  const PlanarListed& at = scene.listed[ghost];
   const double rx = frame.x - at.x, ry = frame.y - at.y;
   const double tc = frame.cosine - at.cosine, ts = frame.sine - at.sine;
-  const double moved = 2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts));
-  if (scene.lists_exist && moved > at.skin * at.skin) scene.to_list.push_back(ghost);
+  double& moved = scene.moved[ghost];
+  moved = std::sqrt(2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts)));
+  if (scene.lists_exist && moved > at.skin) scene.to_list.push_back(ghost);
 }
 
 }  // namespace rodpack

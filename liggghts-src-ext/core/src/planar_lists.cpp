@@ -9,7 +9,7 @@
 
 namespace rodpack {
 
-void PlanarGrid::build(const std::vector<PlanarBodyInfo>& bodies, double cell) {
+void PlanarGrid::build(const AlignedVector<PlanarListed>& bodies, double cell) {
   const int count = static_cast<int>(bodies.size());
   double low[2] = {0.0, 0.0}, high[2] = {0.0, 0.0};
   for (int k = 0; k < count; ++k) {
@@ -68,58 +68,65 @@ void PlanarGrid::unlink(int body) {
   if (next_[body] >= 0) previous_[next_[body]] = previous_[body];
 }
 
-void PlanarBlockPool::reorder(const std::vector<int>& order) {
-  const AlignedVector<PlanarBlock> old_blocks(blocks);
-  const AlignedVector<PlanarBlockHistory> old_histories(histories);
+void PlanarBlockPool::reorder(const std::vector<int>& order, int touching) {
+  touching_ = touching;
+  const AlignedVector<PlanarBlockHead> old_heads(heads);
+  const AlignedVector<double> old_values(all_values);
   const std::vector<PlanarBlockBirth> old_births(births);
   for (std::vector<int>& list : of_body_) list.clear();
-  for (int k = 0; k < size(); ++k) {
-    blocks[k] = old_blocks[order[k]];
-    histories[k] = old_histories[order[k]];
+  const int filled = static_cast<int>(order.size());
+  heads.resize(filled);
+  all_values.resize(static_cast<std::size_t>(filled) * stride());
+  births.resize(filled);
+  holes_.clear();
+  for (int k = 0; k < filled; ++k) {
+    heads[k] = old_heads[order[k]];
+    std::copy_n(&old_values[static_cast<std::size_t>(order[k]) * stride()], stride(), values(k));
     births[k] = old_births[order[k]];
-    of_body_[blocks[k].i].push_back(k);
-    if (blocks[k].j >= 0) of_body_[blocks[k].j].push_back(k);
+    of_body_[heads[k].i].push_back(k);
+    if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
   }
 }
 
 void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved) {
-  const PlanarBlock& block = pool.blocks[place];
-  const PlanarBlockHistory& history = pool.histories[place];
+  const PlanarBlockHead& head = pool.heads[place];
+  const double* const values = pool.values(place) + lane;
   const PlanarBlockBirth& birth = pool.births[place];
   const int bit = 1 << lane;
-  saved.i = block.i;
-  saved.j = block.j;
-  saved.sphere_i = block.sphere_i[lane];
-  saved.sphere_j = block.sphere_j[lane];
-  saved.sliding = (block.sliding & bit) != 0;
-  saved.mature = (block.mature & bit) != 0;
+  saved.i = head.i;
+  saved.j = head.j;
+  saved.sphere_i = birth.sphere_i[lane];
+  saved.sphere_j = birth.sphere_j[lane];
+  saved.sliding = (head.sliding & bit) != 0;
+  saved.mature = (head.mature & bit) != 0;
   saved.fresh = birth.fresh[lane];
   saved.count = birth.count[lane];
-  saved.spring = history.spring[lane];
-  for (int k = 0; k < max_multistep_order; ++k) saved.velocity[k] = history.velocity[k][lane];
-  saved.uncut = history.uncut[lane];
+  saved.spring = values[planar_spring];
+  for (int k = 0; k < max_multistep_order; ++k)
+    saved.velocity[k] = k < pool.slots ? values[pool.velocity(k)] : 0.0;
+  saved.uncut = values[planar_uncut];
   saved.touch_rate = birth.touch_rate[lane];
   saved.since = birth.since[lane];
 }
 
-void restore_lane(PlanarBlockPool& pool, int place, int lane,
-                  const PlanarScene::Data::Saved& saved) {
-  PlanarBlock& block = pool.blocks[place];
-  PlanarBlockHistory& history = pool.histories[place];
+void restore_lane(PlanarBlockPool& pool, int place, int lane, const PlanarScene::Data::Saved& saved,
+                  bool turned) {
+  PlanarBlockHead& head = pool.heads[place];
+  double* const values = pool.values(place) + lane;
   PlanarBlockBirth& birth = pool.births[place];
   const auto set = [&](std::uint8_t& bits, bool on) {
     bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
   };
-  set(block.alive, saved.count != 0);
-  set(block.mature, saved.mature);
-  set(block.sliding, saved.sliding);
+  set(head.alive, saved.count != 0);
+  set(head.mature, saved.mature);
+  set(head.sliding, saved.sliding);
   birth.fresh[lane] = saved.fresh;
   birth.count[lane] = saved.count;
   birth.touch_rate[lane] = saved.touch_rate;
   birth.since[lane] = saved.since;
-  history.spring[lane] = saved.spring;
-  for (int k = 0; k < max_multistep_order; ++k) history.velocity[k][lane] = saved.velocity[k];
-  history.uncut[lane] = saved.uncut;
+  values[planar_spring] = saved.spring;
+  for (int k = 0; k < pool.slots; ++k) values[pool.velocity(k, turned)] = saved.velocity[k];
+  values[planar_uncut] = saved.uncut;
 }
 
 void clear_lane(PlanarBlockPool& pool, int place, int lane) {
@@ -128,39 +135,46 @@ void clear_lane(PlanarBlockPool& pool, int place, int lane) {
 
 double PlanarScene::Data::wanted_skin(int body) const {
   const double* v = frames[body].velocity;
-  const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1]) + info[body].reach * std::fabs(v[2]);
+  const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1]) + listed[body].reach * std::fabs(v[2]);
   return std::min(settings.max_skin,
                   std::max(settings.min_skin, speed * settings.skin_steps * settings.dt));
 }
 
-void PlanarScene::Data::set_coefficients(PlanarBlock& block) const {
-  const PlanarBodyInfo& i = info[block.i];
-  const bool wall = block.j < 0;
-  const int type_j = wall ? settings.walls[-1 - block.j].type : info[block.j].type;
-  const double mass = wall ? i.mass : i.mass * info[block.j].mass / (i.mass + info[block.j].mass);
-  const PlanarLaw& law = settings.laws[i.type * settings.types + type_j];
-  block.radius_i = i.radius;
-  block.radius_j = wall ? 0.0 : info[block.j].radius;
-  block.kn = law.kn;
-  block.kt = law.kt;
-  block.inverse_kt = 1.0 / law.kt;
-  block.gamma_n = damping_coefficient(law.eta_n, mass, law.kn);
-  block.gamma_t = damping_coefficient(law.eta_t, mass, law.kt);
-  block.friction = law.friction * law.kn;
+void PlanarScene::Data::set_coefficients(PlanarBlockHead& head) const {
+  const PlanarBodyInfo& i = info[head.i];
+  const bool wall = head.j < 0;
+  const int type_j = wall ? settings.walls[-1 - head.j].type : info[head.j].type;
+  const double mass = wall ? i.mass : i.mass * info[head.j].mass / (i.mass + info[head.j].mass);
+  head.law = i.type * settings.types + type_j;
+  const PlanarLaw& law = settings.laws[head.law];
+  head.gamma[0] = damping_coefficient(law.eta_n, mass, law.kn);
+  head.gamma[1] = damping_coefficient(law.eta_t, mass, law.kt);
+}
+
+/// A body is about to be listed where it is.
+void PlanarScene::Data::mark_listed(int body) {
+  PlanarListed& at = listed[body];
+  const PlanarFrame& frame = frames[body];
+  at = {frame.x, frame.y, frame.cosine, frame.sine, at.reach, wanted_skin(body)};
+  PlanarListedLanes& lanes = listed_lanes[body / body_lanes];
+  const int lane = body % body_lanes;
+  lanes.x[lane] = at.x;
+  lanes.y[lane] = at.y;
+  lanes.cosine[lane] = at.cosine;
+  lanes.sine[lane] = at.sine;
+  lanes.reach[lane] = at.reach;
+  lanes.skin[lane] = at.skin;
+  moved[body] = 0.0;
 }
 
 void PlanarScene::Data::list_all() {
   const int count = static_cast<int>(info.size());
   double reach = 0.0;
   for (int k = 0; k < count; ++k) {
-    info[k].x = frames[k].x;
-    info[k].y = frames[k].y;
-    info[k].cosine = frames[k].cosine;
-    info[k].sine = frames[k].sine;
-    info[k].skin = wanted_skin(k);
-    reach = std::max(reach, info[k].reach);
+    mark_listed(k);
+    reach = std::max(reach, listed[k].reach);
   }
-  grid.build(info, 2.0 * (reach + settings.max_skin));
+  grid.build(listed, 2.0 * (reach + settings.max_skin));
   lists_exist = true;
   for (int k = 0; k < count; ++k) list(k);
   sort_blocks();
@@ -168,13 +182,8 @@ void PlanarScene::Data::list_all() {
 
 void PlanarScene::Data::renew_lists() {
   for (int body : to_list) {
-    PlanarBodyInfo& at = info[body];
-    at.x = frames[body].x;
-    at.y = frames[body].y;
-    at.cosine = frames[body].cosine;
-    at.sine = frames[body].sine;
-    at.skin = wanted_skin(body);
-    grid.move(body, at.x, at.y);
+    mark_listed(body);
+    grid.move(body, listed[body].x, listed[body].y);
     list(body);
   }
   to_list.clear();
@@ -185,21 +194,19 @@ void PlanarScene::Data::list(int body) {
   ++statistics.listings;
   saved.clear();
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
-    while (!pool->of_body(body).empty()) {
-      const int place = pool->of_body(body).back();
+    for (const int place : pool->of_body(body))
       for (int lane = 0; lane < planar_lanes; ++lane)
-        if (pool->blocks[place].alive & 1 << lane) {
+        if (pool->heads[place].alive & 1 << lane) {
           saved.push_back(Saved());
           save_lane(*pool, place, lane, saved.back());
         }
-      pool->remove(place);
-    }
+    pool->remove_all_of(body);
   }
-  const PlanarBodyInfo& at = info[body];
+  const PlanarListed& at = listed[body];
   near.clear();
   grid.around(at.x, at.y, [&](int other) {
     if (other == body || (other >= owned && body >= owned)) return;  // other ranks' own affair
-    const PlanarBodyInfo& there = info[other];
+    const PlanarListed& there = listed[other];
     const double dx = at.x - there.x, dy = at.y - there.y;
     const double far = at.reach + there.reach + at.skin + there.skin;
     if (dx * dx + dy * dy < far * far) near.push_back(other);
@@ -212,10 +219,12 @@ void PlanarScene::Data::list(int body) {
   for (const Saved& contact : saved) {
     PlanarBlockPool& pool = contact.j < 0 ? at_walls : pairs;
     for (int place : pool.of_body(body)) {
-      const PlanarBlock& block = pool.blocks[place];
-      if (block.i != contact.i || block.j != contact.j) continue;
-      for (int lane = 0; lane < block.used; ++lane)
-        if (block.sphere_i[lane] == contact.sphere_i && block.sphere_j[lane] == contact.sphere_j)
+      const PlanarBlockHead& head = pool.heads[place];
+      if (head.i != contact.i || head.j != contact.j) continue;
+      const PlanarBlockBirth& birth = pool.births[place];
+      for (int lane = 0; lane < planar_lanes; ++lane)
+        if ((head.used & 1 << lane) && birth.sphere_i[lane] == contact.sphere_i &&
+            birth.sphere_j[lane] == contact.sphere_j)
           restore_lane(pool, place, lane, contact);
     }
   }
@@ -223,99 +232,123 @@ void PlanarScene::Data::list(int body) {
 
 namespace {
 
-/// Fills blocks one lane after the other.
-class BlockWriter {
- public:
-  BlockWriter(PlanarBlockPool& pool, const PlanarBlock& empty) : pool_(pool), block_(empty) {}
-  ~BlockWriter() {
-    if (block_.used > 0) pool_.add(block_);
-  }
-  void add(int sphere_i, const PlanarSphere& i, int sphere_j, const PlanarSphere& j, double reach) {
-    if (block_.used == planar_lanes) {
-      pool_.add(block_);
-      block_.used = 0;
-      for (double& r : block_.reach) r = 0.0;
-    }
-    const int lane = block_.used++;
-    block_.xi[lane] = i.x;
-    block_.yi[lane] = i.y;
-    block_.xj[lane] = j.x;
-    block_.yj[lane] = j.y;
-    block_.reach[lane] = reach;
-    block_.sphere_i[lane] = static_cast<std::uint16_t>(sphere_i);
-    block_.sphere_j[lane] = static_cast<std::uint16_t>(sphere_j);
-  }
-
- private:
-  PlanarBlockPool& pool_;
-  PlanarBlock block_;
+/// Two spheres that may touch, and the gap between them where their bodies were listed (m).
+struct Candidate {
+  double gap;
+  int sphere_i, sphere_j;
 };
+
+/// Puts candidates into blocks, the closest first: so those that touch share blocks.
+void add_blocks(PlanarBlockPool& pool, PlanarBlockHead head, std::vector<Candidate>& candidates,
+                const PlanarSphere* of_i, const PlanarSphere* of_j) {
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return a.gap != b.gap             ? a.gap < b.gap
+           : a.sphere_i != b.sphere_i ? a.sphere_i < b.sphere_i
+                                      : a.sphere_j < b.sphere_j;
+  });
+  const int count = static_cast<int>(candidates.size());
+  for (int first = 0; first < count; first += planar_lanes) {
+    PlanarBlockBirth birth = PlanarBlockBirth();
+    const int used = std::min(planar_lanes, count - first);
+    head.used = static_cast<std::uint8_t>((1 << used) - 1);
+    head.gap = candidates[first].gap;
+    for (int lane = 0; lane < planar_lanes; ++lane) {
+      const Candidate& pair = candidates[first + (lane < used ? lane : 0)];
+      birth.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);
+      birth.sphere_j[lane] = static_cast<std::uint16_t>(pair.sphere_j);
+    }
+    double* const values = pool.values(pool.add(head, birth));
+    for (int lane = 0; lane < planar_lanes; ++lane) {
+      const PlanarSphere &i = of_i[birth.sphere_i[lane]], &j = of_j[birth.sphere_j[lane]];
+      values[planar_xi + lane] = i.x;
+      values[planar_yi + lane] = i.y;
+      values[planar_xj + lane] = j.x;
+      values[planar_yj + lane] = j.y;
+    }
+  }
+}
+
+std::vector<Candidate>& no_candidates() {
+  static thread_local std::vector<Candidate> candidates;
+  candidates.clear();
+  return candidates;
+}
 
 }  // namespace
 
 void PlanarScene::Data::list_pair(int i, int j) {
-  const PlanarBodyInfo &a = info[i], &b = info[j];
+  const PlanarListed &a = listed[i], &b = listed[j];
   // j's frame seen from i's: spheres of i in j's frame, at the positions where both were listed
   const double c = b.cosine * a.cosine + b.sine * a.sine;
   const double s = b.cosine * a.sine - b.sine * a.cosine;
   const double dx = a.x - b.x, dy = a.y - b.y;
   const double x0 = b.cosine * dx + b.sine * dy, y0 = b.cosine * dy - b.sine * dx;
-  const double touch = a.radius + b.radius, near_by = touch + a.skin + b.skin;
-  const double around_j = b.reach - b.radius + near_by;
+  const double touch = info[i].radius + info[j].radius, near_by = touch + a.skin + b.skin;
+  const double around_j = b.reach - info[j].radius + near_by;
 
-  PlanarBlock empty = PlanarBlock();
-  empty.i = i;
-  empty.j = j;
-  set_coefficients(empty);
-  BlockWriter writer(pairs, empty);
-  const PlanarSphere* const of_i = &spheres[a.first];
-  const PlanarSphere* const of_j = &spheres[b.first];
-  for (int k = 0; k < a.count; ++k) {
+  std::vector<Candidate>& candidates = no_candidates();
+  const PlanarSphere* const of_i = &spheres[info[i].first];
+  const PlanarSphere* const of_j = &spheres[info[j].first];
+  for (int k = 0; k < info[i].count; ++k) {
     const double x = x0 + c * of_i[k].x - s * of_i[k].y, y = y0 + s * of_i[k].x + c * of_i[k].y;
     if (x * x + y * y > around_j * around_j) continue;
-    for (int l = 0; l < b.count; ++l) {
-      const double rx = x - of_j[l].x, ry = y - of_j[l].y;
-      if (rx * rx + ry * ry < near_by * near_by) writer.add(k, of_i[k], l, of_j[l], touch);
+    for (int l = 0; l < info[j].count; ++l) {
+      const double rx = x - of_j[l].x, ry = y - of_j[l].y, square = rx * rx + ry * ry;
+      if (square < near_by * near_by) candidates.push_back({std::sqrt(square) - touch, k, l});
     }
   }
+  if (candidates.empty()) return;
+  PlanarBlockHead head = PlanarBlockHead();
+  head.i = i;
+  head.j = j;
+  set_coefficients(head);
+  add_blocks(pairs, head, candidates, of_i, of_j);
 }
 
 void PlanarScene::Data::list_walls(int i) {
-  const PlanarBodyInfo& a = info[i];
+  const PlanarListed& a = listed[i];
+  const double radius = info[i].radius;
+  const PlanarSphere* const of_i = &spheres[info[i].first];
+  const PlanarSphere none = PlanarSphere();
   for (std::size_t w = 0; w < settings.walls.size(); ++w) {
     const PlanarWall& wall = settings.walls[w];
     const double centre = (wall.axis == 0 ? a.x : a.y) - wall.position;
     if (wall.side_of(centre) * centre > a.reach + a.skin) continue;
-    PlanarBlock empty = PlanarBlock();
-    empty.i = i;
-    empty.j = -1 - static_cast<int>(w);
-    set_coefficients(empty);
-    BlockWriter writer(at_walls, empty);
+    std::vector<Candidate>& candidates = no_candidates();
     const double along_x = wall.axis == 0 ? a.cosine : a.sine;
     const double along_y = wall.axis == 0 ? -a.sine : a.cosine;
-    for (int k = 0; k < a.count; ++k) {
-      const PlanarSphere& sphere = spheres[a.first + k];
-      const double distance = centre + along_x * sphere.x + along_y * sphere.y;
-      if (wall.side_of(distance) * distance < a.radius + a.skin)
-        writer.add(k, sphere, 0, PlanarSphere(), a.radius);
+    for (int k = 0; k < info[i].count; ++k) {
+      const double distance = centre + along_x * of_i[k].x + along_y * of_i[k].y;
+      const double gap = wall.side_of(distance) * distance - radius;
+      if (gap < a.skin) candidates.push_back({gap, k, 0});
     }
+    PlanarBlockHead head = PlanarBlockHead();
+    head.i = i;
+    head.j = -1 - static_cast<int>(w);
+    set_coefficients(head);
+    add_blocks(at_walls, head, candidates, of_i, &none);
   }
 }
 
 /// Touching blocks first, each kind in the order of the bodies: they run through memory.
 void PlanarScene::Data::sort_blocks() {
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
-    near.resize(pool->size());
-    for (int k = 0; k < pool->size(); ++k) near[k] = k;
-    const AlignedVector<PlanarBlock>& blocks = pool->blocks;
+    int touching = 0;
+    near.clear();
+    for (int k = 0; k < pool->size(); ++k) {
+      if (pool->heads[k].used == 0) continue;
+      near.push_back(k);
+      if (pool->heads[k].alive != 0) ++touching;
+    }
+    const AlignedVector<PlanarBlockHead>& heads = pool->heads;
     std::sort(near.begin(), near.end(), [&](int a, int b) {
-      const bool touches_a = blocks[a].alive != 0, touches_b = blocks[b].alive != 0;
+      const bool touches_a = heads[a].alive != 0, touches_b = heads[b].alive != 0;
       if (touches_a != touches_b) return touches_a;
-      if (blocks[a].i != blocks[b].i) return blocks[a].i < blocks[b].i;
-      if (blocks[a].j != blocks[b].j) return blocks[a].j < blocks[b].j;
+      if (heads[a].i != heads[b].i) return heads[a].i < heads[b].i;
+      if (heads[a].j != heads[b].j) return heads[a].j < heads[b].j;
       return a < b;
     });
-    pool->reorder(near);
+    pool->reorder(near, touching);
   }
 }
 

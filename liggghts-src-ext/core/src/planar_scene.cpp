@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -55,8 +56,9 @@ void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
 PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBody>& bodies)
     : settings(given),
       slots(std::max(given.order, given.remembered)),
-      pairs(static_cast<int>(bodies.size())),
-      at_walls(static_cast<int>(bodies.size())),
+      kernel(planar_kernel(given.instructions)),
+      pairs(static_cast<int>(bodies.size()), slots),
+      at_walls(static_cast<int>(bodies.size()), slots),
       events(static_cast<int>(bodies.size())),
       follows(given.events && given.order > 1) {
   const std::size_t count = bodies.size();
@@ -68,6 +70,8 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     past_velocity[k].assign(count, PlanarVector());
     past_acceleration[k].assign(count, PlanarVector());
   }
+  for (const PlanarLaw& law : settings.laws)
+    laws.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
   evaluations.resize(count);
   for (std::size_t b = 0; b < count; ++b) {
     const PlanarBody& body = bodies[b];
@@ -80,13 +84,14 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     of.first = static_cast<int>(spheres.size());
     of.count = static_cast<int>(body.spheres.size());
     for (const PlanarSphere& sphere : body.spheres)
-      of.reach = std::max(of.reach, std::hypot(sphere.x, sphere.y) + body.radius);
+      listed[b].reach = std::max(listed[b].reach, std::hypot(sphere.x, sphere.y) + body.radius);
     spheres.insert(spheres.end(), body.spheres.begin(), body.spheres.end());
     frames[b] = {body.position[0],
                  body.position[1],
                  body.cosine,
                  body.sine,
-                 {body.velocity[0], body.velocity[1], body.velocity[2], 0.0}};
+                 {body.velocity[0], body.velocity[1], body.velocity[2]},
+                 body.radius};
     evaluations[b] = static_cast<std::int8_t>(std::min(body.evaluations, settings.order + 1));
     for (int d = 0; d < 3; ++d) {
       loads[b].d[d] = body.load[d];
@@ -96,6 +101,7 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     }
     for (int d = 0; d < 2; ++d) weights[b].d[d] = body.mass * settings.gravity[d];
     missed.push_back(static_cast<int>(b));
+    if (body.evaluations == 0) newborn.push_back(static_cast<int>(b));
     for (int k = 0; k < settings.order - 1; ++k) {
       const PlanarRates& past = body.past[k];
       past_velocity[k][b] = {{past.velocity[0], past.velocity[1], past.angular_velocity, 0.0}};
@@ -114,6 +120,12 @@ void PlanarScene::Data::resize(int bodies) {
   loads.resize(bodies, PlanarVector());
   weights.resize(bodies, PlanarVector());
   info.resize(bodies, PlanarBodyInfo());
+  listed.resize(bodies, PlanarListed());
+  const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
+  PlanarListedLanes nobody = PlanarListedLanes();
+  std::fill_n(nobody.skin, body_lanes, std::numeric_limits<double>::infinity());
+  listed_lanes.resize(registers, nobody);
+  moved.resize(registers * body_lanes);
   tags.resize(bodies, -1);
   pairs.resize(bodies);
   at_walls.resize(bodies);
@@ -146,81 +158,37 @@ void PlanarScene::Data::fill_past(int body) {
 void PlanarScene::Data::integrate() {
   for (int body : missed) make_missed_motion(body);
   missed.clear();
-  advance_all();
-  // The rates that were the oldest have been overwritten by those of this step.
-  if (settings.order > 1) {
-    std::rotate(past_velocity, past_velocity + settings.order - 2,
-                past_velocity + settings.order - 1);
-    std::rotate(past_acceleration, past_acceleration + settings.order - 2,
-                past_acceleration + settings.order - 1);
-  }
-}
-
-/// rigid_motion.h's planar step for all bodies, one register each; the rotation by the increment of
-/// the angle is made on cosine and sine.
-void PlanarScene::Data::advance_all() {
-  const int order = settings.order, count = owned;
-  const double dt = settings.dt;
-  const MultistepWeights& of_velocity = adams_bashforth_weights(order);
-  const PlanarVector *past_v[max_multistep_order] = {}, *past_a[max_multistep_order] = {};
+  for (int body : newborn) fill_past(body);
+  newborn.clear();
+  const int order = settings.order;
+  PlanarMotions motions = PlanarMotions();
+  motions.count = owned;
+  motions.order = order;
+  motions.dt = settings.dt;
+  motions.frames = frames.data();
+  motions.loads = loads.data();
+  motions.weights = weights.data();
+  motions.inverse_inertia = inverse_inertia.data();
   for (int k = 0; k < order - 1; ++k) {
-    past_v[k] = past_velocity[k].data();
-    past_a[k] = past_acceleration[k].data();
+    motions.past_velocity[k] = past_velocity[k].data();
+    motions.past_acceleration[k] = past_acceleration[k].data();
   }
-  for (int b = 0; b < count; ++b) {
-    if (evaluations[b] == 0) fill_past(b);
-    if (evaluations[b] <= order) ++evaluations[b];
-    const MultistepWeights& of_force = multistep_weights(order, evaluations[b]);
-    PlanarFrame& frame = frames[b];
-    PlanarVector v, a, dx, dv;
-    for (int d = 0; d < 4; ++d) {
-      v.d[d] = frame.velocity[d];
-      a.d[d] = loads[b].d[d] * inverse_inertia[b].d[d];
-      dx.d[d] = of_velocity[0] * v.d[d];
-      dv.d[d] = of_force[0] * a.d[d];
-    }
-    for (int k = 0; k < order - 1; ++k)
-      for (int d = 0; d < 4; ++d) {
-        dx.d[d] += of_velocity[k + 1] * past_v[k][b].d[d];
-        dv.d[d] += of_force[k + 1] * past_a[k][b].d[d];
-      }
-    for (int d = 0; d < 4; ++d) {
-      dx.d[d] *= dt;
-      frame.velocity[d] += dt * dv.d[d];
-    }
-    if (order > 1) {
-      past_velocity[order - 2][b] = v;
-      past_acceleration[order - 2][b] = a;
-    }
-    frame.x += dx.d[0];
-    frame.y += dx.d[1];
-    const double angle = dx.d[2], square = angle * angle;
-    double c, s;
-    if (square < 1e-3) {  // the first terms left out are below 1e-19
-      c = 1.0 -
-          square / 2 *
-              (1.0 - square / 12 * (1.0 - square / 30 * (1.0 - square / 56 * (1.0 - square / 90))));
-      s = angle *
-          (1.0 - square / 6 *
-                     (1.0 - square / 20 *
-                                (1.0 - square / 42 * (1.0 - square / 72 * (1.0 - square / 110)))));
-    } else {
-      c = std::cos(angle);
-      s = std::sin(angle);
-    }
-    const double cosine = frame.cosine * c - frame.sine * s;
-    const double sine = frame.sine * c + frame.cosine * s;
-    // One Newton step for 1/sqrt: the square of the norm is 1 to a few rounding errors.
-    const double scale = 1.5 - 0.5 * (cosine * cosine + sine * sine);
-    frame.cosine = cosine * scale;
-    frame.sine = sine * scale;
-
-    const PlanarBodyInfo& at = info[b];
-    const double rx = frame.x - at.x, ry = frame.y - at.y;
-    const double tc = frame.cosine - at.cosine, ts = frame.sine - at.sine;
-    // |a| + |b| <= sqrt(2 (a^2 + b^2))
-    const double moved = 2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts));
-    if (moved > at.skin * at.skin) to_list.push_back(b);
+  motions.evaluations = evaluations.data();
+  const MultistepWeights& of_velocity = adams_bashforth_weights(order);
+  std::copy(of_velocity.begin(), of_velocity.end(), motions.velocity_weights);
+  for (int known = 1; known <= order + 1; ++known) {
+    const MultistepWeights& of_force = multistep_weights(order, known);
+    std::copy(of_force.begin(), of_force.end(), motions.force_weights[known]);
+  }
+  motions.listed = listed_lanes.data();
+  motions.moved = moved.data();
+  to_list.resize(info.size());
+  motions.to_list = to_list.data();
+  to_list.resize(kernel.advance(motions));
+  // The rates that were the oldest have been overwritten by those of this step.
+  if (order > 1) {
+    std::rotate(past_velocity, past_velocity + order - 2, past_velocity + order - 1);
+    std::rotate(past_acceleration, past_acceleration + order - 2, past_acceleration + order - 1);
   }
 }
 
@@ -279,8 +247,7 @@ void PlanarScene::evaluate() {
   Data& d = *data_;
   if (!d.lists_exist) d.list_all();
   d.begin_forces();
-  d.evaluate_pairs();
-  d.evaluate_walls();
+  d.evaluate_forces();
   d.events.forget_changes();  // no step has gone by that could have missed something
 }
 
@@ -294,9 +261,7 @@ long PlanarScene::run(long steps) {
     if (d.halo) d.halo->update(d);
     if (!d.to_list.empty()) d.renew_lists();
     if (d.statistics.steps % 256 == 128) d.sort_blocks();
-    d.begin_forces();
-    d.evaluate_pairs();
-    d.evaluate_walls();
+    d.evaluate_forces();
     if (d.follows) d.apply_events();
     ++d.statistics.steps;
   }
@@ -327,10 +292,12 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
     PlanarBlockPool& pool = saved.j < 0 ? d.at_walls : d.pairs;
     bool found = false;
     for (int place : pool.of_body(saved.i)) {
-      const PlanarBlock& block = pool.blocks[place];
-      if (block.i != saved.i || block.j != saved.j) continue;
-      for (int lane = 0; lane < block.used; ++lane) {
-        if (block.sphere_i[lane] != sphere_i || block.sphere_j[lane] != sphere_j) continue;
+      const PlanarBlockHead& head = pool.heads[place];
+      if (head.i != saved.i || head.j != saved.j) continue;
+      const PlanarBlockBirth& birth = pool.births[place];
+      for (int lane = 0; lane < planar_lanes; ++lane) {
+        if (!(head.used & 1 << lane)) continue;
+        if (birth.sphere_i[lane] != sphere_i || birth.sphere_j[lane] != sphere_j) continue;
         restore_lane(pool, place, lane, saved);
         found = true;
       }
@@ -345,7 +312,7 @@ std::vector<PlanarContactState> PlanarScene::contacts() const {
   for (const PlanarBlockPool* pool : {&data_->pairs, &data_->at_walls})
     for (int place = 0; place < pool->size(); ++place)
       for (int lane = 0; lane < planar_lanes; ++lane) {
-        if (!(pool->blocks[place].alive & 1 << lane)) continue;
+        if (!(pool->heads[place].alive & 1 << lane)) continue;
         Data::Saved saved;
         save_lane(*pool, place, lane, saved);
         PlanarContactState state;
@@ -360,12 +327,12 @@ std::vector<PlanarContactState> PlanarScene::contacts() const {
         state.uncut = saved.uncut;
         state.touch_rate = saved.touch_rate;
         state.fresh = saved.fresh;
-        const PlanarBlock& block = pool->blocks[place];
-        state.constants[0] = block.friction;
-        state.constants[1] = block.kt;
-        state.constants[2] = block.gamma_t;
+        const PlanarBlockHead& head = pool->heads[place];
+        state.constants[0] = data_->laws[head.law].friction;
+        state.constants[1] = data_->laws[head.law].kt;
+        state.constants[2] = head.gamma[1];
         PlanarContact contact;
-        data_->place_lane(block, lane, contact);
+        data_->place_lane(*pool, place, lane, contact);
         std::copy(contact.en, contact.en + 2, state.normal);
         result.push_back(state);
       }
@@ -415,7 +382,7 @@ PlanarBody PlanarScene::body(int index) const {
 
 PlanarScene::Statistics PlanarScene::statistics() const {
   Statistics result = data_->statistics;
-  result.blocks = data_->pairs.size() + data_->at_walls.size();
+  result.blocks = data_->pairs.filled() + data_->at_walls.filled();
   return result;
 }
 

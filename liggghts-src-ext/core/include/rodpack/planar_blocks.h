@@ -2,7 +2,10 @@
 #ifndef RODPACK_PLANAR_BLOCKS_H
 #define RODPACK_PLANAR_BLOCKS_H
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "aligned_vector.h"
@@ -10,79 +13,111 @@
 
 namespace rodpack {
 
-constexpr int planar_lanes = 4;
+constexpr int planar_lanes = 2;
 
-/// Up to four sphere pairs of two bodies that may touch before one of the two is listed anew; the
-/// second may be a wall. Data that every step reads.
-struct alignas(64) PlanarBlock {
-  double xi[planar_lanes], yi[planar_lanes];  // sphere of i in the frame of the body, m
-  double xj[planar_lanes], yj[planar_lanes];  // of j
-  double reach[planar_lanes];                 // sum of the radii; 0: empty lane
-  double radius_i, radius_j;
-  // of the contact; friction: mu k_n, N/m; inverse_kt: 1 / kt
-  double kn, kt, inverse_kt, gamma_n, gamma_t, friction;
+/// Up to two sphere pairs of two bodies that may touch before one of the two is listed anew; the
+/// second may be a wall. What tells whether anything happens in a block:
+struct alignas(16) PlanarBlockHead {
   std::int32_t i, j;  // bodies; j = -1 - wall
-  std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
-  std::uint8_t used, alive, mature, sliding;  // bit per lane; mature: its history is full
+  double gap;         // the least between spheres where the bodies were listed, m
+  double gamma[2];    // dashpots along the normal and the tangent, kg/s
+  std::int32_t law;   // place of the other constants in PlanarForces::laws
+  // Bit per lane. mature: its history is full. Together they are `flags` of the inner loops.
+  std::uint8_t used, alive, mature, sliding;
 };
 
-static_assert(sizeof(PlanarBlock) == 256, "four cache lines");
-
-/// What the contacts of a block remember: read where one of them touches.
-struct alignas(64) PlanarBlockHistory {
-  double spring[planar_lanes];
-  double velocity[max_multistep_order][planar_lanes];
-  double uncut[planar_lanes];
+/// Places of what is known about the lanes of a block in its values, each for all lanes.
+enum PlanarBlockValue {
+  // centres of the spheres in the frames of their bodies, m; unused lanes repeat the first
+  planar_xi = 0,
+  planar_yi = planar_lanes,
+  planar_xj = 2 * planar_lanes,
+  planar_yj = 3 * planar_lanes,
+  // what a contact remembers: spring (m), force before the cut at 0 (N), and `slots` tangential
+  // velocities (m/s), a ring that turns by one in each step
+  planar_spring = 4 * planar_lanes,
+  planar_uncut = 5 * planar_lanes,
+  planar_velocities = 6 * planar_lanes
 };
 
-/// The rest, needed in the first steps of a contact only.
+/// Constants of the contacts of two types. friction: mu k_n, N/m.
+struct PlanarLawConstants {
+  double kn, kt, inverse_kt, friction;
+};
+
+/// What the short way never reads: which spheres they are, and the first steps of a contact.
 struct PlanarBlockBirth {
   double touch_rate[planar_lanes], since[planar_lanes];
+  std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
   std::int8_t count[planar_lanes];
   bool fresh[planar_lanes];
 };
 
-/// Blocks in one array without holes, and the list of them for each body.
+/// Blocks in arrays, and the list of them for each body. Blocks that were removed leave holes,
+/// which new ones fill: nothing is alive in them, their gap is endless, and the spheres that they
+/// name do not coincide, so that their distance has an inverse.
 class PlanarBlockPool {
  public:
-  explicit PlanarBlockPool(int bodies) : of_body_(bodies) {}
+  PlanarBlockPool(int bodies, int slots) : slots(slots), of_body_(bodies) {}
 
   void resize(int bodies) { of_body_.resize(bodies); }
-  int size() const { return static_cast<int>(blocks.size()); }
+  int size() const { return static_cast<int>(heads.size()); }  // with holes
+  int filled() const { return size() - static_cast<int>(holes_.size()); }
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
-  int add(const PlanarBlock& block) {
-    const int place = size();
-    blocks.push_back(block);
-    histories.push_back(PlanarBlockHistory());
-    births.push_back(PlanarBlockBirth());
-    of_body_[block.i].push_back(place);
-    if (block.j >= 0) of_body_[block.j].push_back(place);
+  /// The values of a new block are 0, or those of a removed one.
+  int add(const PlanarBlockHead& head, const PlanarBlockBirth& birth) {
+    int place = size();
+    if (holes_.empty()) {
+      heads.push_back(head);
+      all_values.resize(all_values.size() + stride());
+      births.push_back(birth);
+    } else {
+      place = holes_.back();
+      holes_.pop_back();
+      heads[place] = head;
+      births[place] = birth;
+    }
+    of_body_[head.i].push_back(place);
+    if (head.j >= 0) of_body_[head.j].push_back(place);
     return place;
   }
 
-  /// The last block takes its place.
-  void remove(int place) {
-    forget(blocks[place].i, place);
-    if (blocks[place].j >= 0) forget(blocks[place].j, place);
-    const int last = size() - 1;
-    if (place != last) {
-      blocks[place] = blocks[last];
-      histories[place] = histories[last];
-      births[place] = births[last];
-      rename(blocks[place].i, last, place);
-      if (blocks[place].j >= 0) rename(blocks[place].j, last, place);
+  void remove_all_of(int body) {
+    for (const int place : of_body_[body]) {
+      PlanarBlockHead& head = heads[place];
+      const int other = head.i == body ? head.j : head.i;
+      if (other >= 0) forget(other, place);
+      head = PlanarBlockHead();
+      head.gap = std::numeric_limits<double>::infinity();
+      std::fill_n(values(place) + planar_xi, planar_lanes, 1.0);
+      std::fill_n(values(place) + planar_yi, 3 * planar_lanes, 0.0);
+      holes_.push_back(place);
     }
-    blocks.pop_back();
-    histories.pop_back();
-    births.pop_back();
+    of_body_[body].clear();
   }
 
-  /// Puts the blocks in the given order: order[k] is the present place of the k-th.
-  void reorder(const std::vector<int>& order);
+  /// Puts the blocks in the given order, without holes: order[k] is the present place of the k-th.
+  /// The first `touching` of them may go on to touch.
+  void reorder(const std::vector<int>& order, int touching);
+  int touching() const { return std::min(touching_, size()); }
 
-  AlignedVector<PlanarBlock> blocks;
-  AlignedVector<PlanarBlockHistory> histories;
+  /// Place of the velocities k steps back in the values; `turned`: as after the next turn.
+  int velocity(int k, bool turned = false) const {
+    return planar_velocities + (newest_ + (turned ? slots - 1 : 0) + k) % slots * planar_lanes;
+  }
+  void turn() { newest_ = (newest_ + slots - 1) % slots; }
+  int stride() const { return planar_velocities + slots * planar_lanes; }
+  double* values(int place) {
+    return all_values.data() + static_cast<std::size_t>(place) * stride();
+  }
+  const double* values(int place) const {
+    return all_values.data() + static_cast<std::size_t>(place) * stride();
+  }
+
+  const int slots;
+  AlignedVector<PlanarBlockHead> heads;
+  AlignedVector<double> all_values;
   std::vector<PlanarBlockBirth> births;
 
  private:
@@ -95,12 +130,10 @@ class PlanarBlockPool {
       return;
     }
   }
-  void rename(int body, int from, int to) {
-    for (int& entry : of_body_[body])
-      if (entry == from) entry = to;
-  }
 
   std::vector<std::vector<int>> of_body_;
+  std::vector<int> holes_;
+  int newest_ = 0, touching_ = 0;
 };
 
 }  // namespace rodpack

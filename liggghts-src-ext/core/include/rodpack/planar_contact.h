@@ -12,7 +12,8 @@ namespace rodpack {
 /// A body in motion, as contacts see it; one cache line.
 struct alignas(64) PlanarFrame {
   double x, y, cosine, sine;
-  double velocity[4];  // x, y, about z, unused
+  double velocity[3];  // x, y, about z
+  double radius;       // of its spheres, m
 };
 
 /// A contact of two spheres of planar bodies, or of one with a wall: what the formulas of

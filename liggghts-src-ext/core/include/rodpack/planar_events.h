@@ -58,6 +58,8 @@ class PlanarEvents {
     return true;
   }
 
+  /// For each body; null: none of them has.
+  const char* jumped() const { return jumped_bodies_.empty() ? nullptr : jumped_.data(); }
   bool jumped(int body) const { return jumped_[body] != 0; }
   const PlanarMotionChange& motion(int body) const { return motions_[body]; }
   void set_jumped(int body, const PlanarMotionChange& motion) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "planar_instructions.h"
 #include "rigid_motion.h"
 
 namespace rodpack {
@@ -55,6 +56,7 @@ struct PlanarSettings {
   double close_factor = 1.02;
   /// With several ranks: a run ends before a point of a body has gone this far along x or y, m.
   double farthest[2] = {1e300, 1e300};
+  PlanarInstructions instructions = PlanarInstructions::automatic;
 };
 
 struct PlanarSphere {

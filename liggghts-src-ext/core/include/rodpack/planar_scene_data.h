@@ -10,30 +10,23 @@
 #include "planar_blocks.h"
 #include "planar_contact.h"
 #include "planar_events.h"
+#include "planar_forces.h"
 #include "planar_scene.h"
 #include "tangential_history.h"
 
 namespace rodpack {
 
-/// x, y, about z, unused: one register.
-struct alignas(32) PlanarVector {
-  double d[4];
-};
-
-/// What is constant about a body, and where it was listed.
+/// What is constant about a body.
 struct PlanarBodyInfo {
   int type;
   double mass, moment, radius;
-  double reach;               // of its farthest point from the centre of mass
-  int first, count;           // of its spheres
-  double skin;                // that it was listed with
-  double x, y, cosine, sine;  // when it was listed
+  int first, count;  // of its spheres
 };
 
 /// Chains of bodies in a grid of cells, by the positions at which they were listed.
 class PlanarGrid {
  public:
-  void build(const std::vector<PlanarBodyInfo>& bodies, double cell);
+  void build(const AlignedVector<PlanarListed>& bodies, double cell);
   void move(int body, double x, double y);
   void add(int body, double x, double y);
   void remove(int body);
@@ -69,7 +62,6 @@ struct PlanarScene::Data {
 
   // planar_scene.cpp
   void integrate();
-  void advance_all();
   void make_missed_motion(int body);
   void fill_past(int body);
   void apply_events();
@@ -79,18 +71,20 @@ struct PlanarScene::Data {
   bool comes_first(int i, int j) const { return tags[i] < tags[j]; }
   // planar_lists.cpp
   void list_all();
+  void mark_listed(int body);
   void renew_lists();
   void list(int body);
   void list_pair(int i, int j);
   void list_walls(int i);
   void sort_blocks();
   double wanted_skin(int body) const;
-  void set_coefficients(PlanarBlock& block) const;
+  void set_coefficients(PlanarBlockHead& head) const;
   // planar_forces.cpp
-  void evaluate_pairs();
-  void evaluate_walls();
+  void evaluate_forces();
+  PlanarForces forces_of(PlanarBlockPool& pool);
+  void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
-  bool place_lane(const PlanarBlock& block, int lane, PlanarContact& contact) const;
+  bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
 
   TangentialStep tangential_step() const { return {settings.order, now, settings.dt}; }
@@ -103,6 +97,7 @@ struct PlanarScene::Data {
   bool lists_exist = false;
   int owned = 0;  // bodies of this rank; ghosts follow them
   std::unique_ptr<PlanarHalo> halo;
+  PlanarKernel kernel;
 
   AlignedVector<PlanarFrame> frames;
   AlignedVector<PlanarVector> loads, weights;  // weight: force and torque without contacts
@@ -111,15 +106,22 @@ struct PlanarScene::Data {
   AlignedVector<PlanarVector> past_acceleration[max_multistep_order - 1];
   std::vector<std::int8_t> evaluations;
   AlignedVector<PlanarVector> missed_displacement, missed_velocity;
-  std::vector<int> missed;  // bodies with missed motion
+  std::vector<int> missed;   // bodies with missed motion
+  std::vector<int> newborn;  // without an evaluation yet
   std::vector<PlanarBodyInfo> info;
   std::vector<int> tags;
   std::vector<PlanarSphere> spheres;
+  AlignedVector<PlanarListed> listed;
+  AlignedVector<PlanarListedLanes> listed_lanes;
+  AlignedVector<double> moved;  // since a body was listed, at most, m
+  std::vector<PlanarLawConstants> laws;
 
   PlanarBlockPool pairs, at_walls;
   PlanarGrid grid;
   std::vector<int> to_list, near;
-  struct Saved {  // contacts of a body while it is listed anew
+  std::vector<PlanarGeneral> general;
+  std::vector<int> awake;  // blocks
+  struct Saved {           // contacts of a body while it is listed anew
     int i, j;
     std::uint16_t sphere_i, sphere_j;
     bool sliding, mature, fresh;
@@ -133,10 +135,11 @@ struct PlanarScene::Data {
   PlanarScene::Statistics statistics = {};
 };
 
-/// Moves a contact between a lane and a record of its own.
+/// Moves a contact between a lane and a record of its own. `turned`: as after the next turn of the
+/// velocities.
 void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved);
-void restore_lane(PlanarBlockPool& pool, int place, int lane,
-                  const PlanarScene::Data::Saved& saved);
+void restore_lane(PlanarBlockPool& pool, int place, int lane, const PlanarScene::Data::Saved& saved,
+                  bool turned = false);
 void clear_lane(PlanarBlockPool& pool, int place, int lane);
 
 }  // namespace rodpack

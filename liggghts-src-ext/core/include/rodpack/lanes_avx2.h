@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Four doubles at a time in one register of AVX2; see planar_kernel.h.
+
+constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
+
+typedef double Lanes __attribute__((vector_size(32), may_alias));
+typedef long long LaneMask __attribute__((vector_size(32), may_alias));  // all bits set: true
+
+inline Lanes load_lanes(const double* values) { return *reinterpret_cast<const Lanes*>(values); }
+inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<Lanes*>(values) = x; }
+inline Lanes all_lanes(double x) { return Lanes{x, x, x, x}; }
+inline Lanes lane_sqrt(Lanes x) { return (Lanes)_mm256_sqrt_pd((__m256d)x); }
+/// The root and its inverse.
+inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
+  root = lane_sqrt(square);
+  inverse = 1.0 / root;
+}
+inline LaneMask lane_less(Lanes a, Lanes b) { return a < b; }
+/// a where the mask is true, b elsewhere.
+inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
+  return (Lanes)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)mask);
+}
+inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
+  return (mask & a) | (~mask & b);
+}
+/// Bit k: lane k is true.
+inline int lane_bits(LaneMask mask) { return _mm256_movemask_pd((__m256d)mask); }
+inline LaneMask lanes_of_bits(int bits) {
+  static const LaneMask masks[16] = {
+      {0, 0, 0, 0},   {-1, 0, 0, 0},   {0, -1, 0, 0},   {-1, -1, 0, 0},
+      {0, 0, -1, 0},  {-1, 0, -1, 0},  {0, -1, -1, 0},  {-1, -1, -1, 0},
+      {0, 0, 0, -1},  {-1, 0, 0, -1},  {0, -1, 0, -1},  {-1, -1, 0, -1},
+      {0, 0, -1, -1}, {-1, 0, -1, -1}, {0, -1, -1, -1}, {-1, -1, -1, -1}};
+  return masks[bits];
+}
+
+/// Makes rows of columns.
+inline void transpose_lanes(Lanes (&rows)[4]) {
+  const __m256d a = (__m256d)rows[0], b = (__m256d)rows[1];
+  const __m256d c = (__m256d)rows[2], d = (__m256d)rows[3];
+  const __m256d low_ab = _mm256_unpacklo_pd(a, b), high_ab = _mm256_unpackhi_pd(a, b);
+  const __m256d low_cd = _mm256_unpacklo_pd(c, d), high_cd = _mm256_unpackhi_pd(c, d);
+  rows[0] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x20);
+  rows[1] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x20);
+  rows[2] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x31);
+  rows[3] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x31);
+}
+
+/// Two values for block b, from of[b] + index.
+inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
+  return (Lanes)_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + index)),
+                                     _mm_load_pd(of[1] + index), 1);
+}
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
+                     Lanes& second) {
+  const __m256d both = (__m256d)lanes_of(of, index);
+  first = (Lanes)_mm256_movedup_pd(both);
+  second = (Lanes)_mm256_permute_pd(both, 0b1111);
+}
+inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
+  const __m256d kept = (__m256d)lane_choice(where, x, lanes_of(of, index));
+  _mm_store_pd(of[1] + index, _mm256_extractf128_pd(kept, 1));
+  _mm_store_pd(of[0] + index, _mm256_castpd256_pd128(kept));
+}
+/// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
+/// whose last values may become anything.
+inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],
+                      double* const (&on_j)[lane_blocks]) {
+  const __m256d ab = _mm256_hadd_pd((__m256d)a, (__m256d)b);
+  const __m256d cd = _mm256_hadd_pd((__m256d)c, (__m256d)d);
+  const __m256d of[2] = {_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31)};
+  for (int k = 0; k < 2; ++k) {  // the two may act on the same body
+    _mm256_store_pd(on_i[k], _mm256_add_pd(_mm256_load_pd(on_i[k]), of[k]));
+    _mm256_store_pd(on_j[k],
+                    _mm256_sub_pd(_mm256_load_pd(on_j[k]), _mm256_permute_pd(of[k], 0b1110)));
+  }
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Eight doubles at a time in one register of AVX-512; see planar_kernel.h.
+
+constexpr int lane_blocks = 4;  // blocks that are evaluated at a time
+
+typedef double Lanes __attribute__((vector_size(64), may_alias));
+
+/// Bit k: lane k.
+struct LaneMask {
+  __mmask8 bits;
+};
+inline LaneMask operator&(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
+inline LaneMask operator|(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
+inline LaneMask operator^(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits ^ b.bits)}; }
+inline LaneMask operator~(LaneMask a) { return {static_cast<__mmask8>(~a.bits)}; }
+inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
+
+inline Lanes all_lanes(double x) { return (Lanes)_mm512_set1_pd(x); }
+/// The root and its inverse.
+inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
+  root = (Lanes)_mm512_sqrt_pd((__m512d)square);
+  inverse = 1.0 / root;
+}
+inline LaneMask lane_less(Lanes a, Lanes b) {
+  return {_mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_LT_OQ)};
+}
+/// a where the mask is true, b elsewhere.
+inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
+  return (Lanes)_mm512_mask_blend_pd(mask.bits, (__m512d)b, (__m512d)a);
+}
+inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
+  return (mask & a) | (~mask & b);
+}
+inline int lane_bits(LaneMask mask) { return mask.bits; }
+inline LaneMask lanes_of_bits(int bits) { return {static_cast<__mmask8>(bits)}; }
+
+/// Two values for block b, from of[b] + index.
+inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
+  __m512d all = _mm512_broadcast_f64x2(_mm_load_pd(of[0] + index));
+  all = _mm512_mask_broadcast_f64x2(all, 0x0c, _mm_load_pd(of[1] + index));
+  all = _mm512_mask_broadcast_f64x2(all, 0x30, _mm_load_pd(of[2] + index));
+  return (Lanes)_mm512_mask_broadcast_f64x2(all, 0xc0, _mm_load_pd(of[3] + index));
+}
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
+                     Lanes& second) {
+  const __m512d both = (__m512d)lanes_of(of, index);
+  first = (Lanes)_mm512_movedup_pd(both);
+  second = (Lanes)_mm512_permute_pd(both, 0xff);
+}
+// Whole stores: stores under a mask are slow on some processors.
+inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
+  const __m512d kept = (__m512d)lane_choice(where, x, lanes_of(of, index));
+  _mm_store_pd(of[3] + index, _mm512_extractf64x2_pd(kept, 3));
+  _mm_store_pd(of[2] + index, _mm512_extractf64x2_pd(kept, 2));
+  _mm_store_pd(of[1] + index, _mm512_extractf64x2_pd(kept, 1));
+  _mm_store_pd(of[0] + index, _mm512_castpd512_pd128(kept));
+}
+/// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
+/// whose last values may become anything.
+inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],
+                      double* const (&on_j)[lane_blocks]) {
+  const __m512d ab = _mm512_add_pd(_mm512_unpacklo_pd((__m512d)a, (__m512d)b),
+                                   _mm512_unpackhi_pd((__m512d)a, (__m512d)b));
+  const __m512d cd = _mm512_add_pd(_mm512_unpacklo_pd((__m512d)c, (__m512d)d),
+                                   _mm512_unpackhi_pd((__m512d)c, (__m512d)d));
+  const __m512d low = _mm512_permutex2var_pd(ab, _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), cd);
+  const __m512d high = _mm512_permutex2var_pd(ab, _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15), cd);
+  const __m256d of[4] = {_mm512_castpd512_pd256(low), _mm512_extractf64x4_pd(low, 1),
+                         _mm512_castpd512_pd256(high), _mm512_extractf64x4_pd(high, 1)};
+  for (int k = 0; k < 4; ++k) {  // they may act on the same body
+    _mm256_store_pd(on_i[k], _mm256_add_pd(_mm256_load_pd(on_i[k]), of[k]));
+    _mm256_store_pd(on_j[k],
+                    _mm256_sub_pd(_mm256_load_pd(on_j[k]), _mm256_permute_pd(of[k], 0b1110)));
+  }
+}

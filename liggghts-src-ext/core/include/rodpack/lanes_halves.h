@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Four doubles at a time, as two halves of two, for any processor whose registers hold that many;
+// see planar_kernel.h. The compiler would split vectors of four too, but sends each operation
+// through memory.
+
+constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
+
+typedef double HalfLanes __attribute__((vector_size(16), may_alias));
+typedef long long HalfMask __attribute__((vector_size(16), may_alias));
+
+struct Lanes {
+  HalfLanes low, high;
+  Lanes() = default;
+  Lanes(HalfLanes l, HalfLanes h) : low(l), high(h) {}
+  Lanes(double a, double b, double c, double d) : low{a, b}, high{c, d} {}
+  double operator[](int lane) const { return lane < 2 ? low[lane] : high[lane - 2]; }
+};
+
+struct LaneMask {
+  HalfMask low, high;
+  LaneMask(HalfMask l, HalfMask h) : low(l), high(h) {}
+  LaneMask(long long a, long long b, long long c, long long d) : low{a, b}, high{c, d} {}
+};
+
+inline Lanes operator+(Lanes a, Lanes b) { return {a.low + b.low, a.high + b.high}; }
+inline Lanes operator-(Lanes a, Lanes b) { return {a.low - b.low, a.high - b.high}; }
+inline Lanes operator*(Lanes a, Lanes b) { return {a.low * b.low, a.high * b.high}; }
+inline Lanes operator/(Lanes a, Lanes b) { return {a.low / b.low, a.high / b.high}; }
+inline Lanes operator-(Lanes a) { return {-a.low, -a.high}; }
+inline Lanes operator+(double a, Lanes b) { return {a + b.low, a + b.high}; }
+inline Lanes operator-(double a, Lanes b) { return {a - b.low, a - b.high}; }
+inline Lanes operator*(double a, Lanes b) { return {a * b.low, a * b.high}; }
+inline Lanes operator/(double a, Lanes b) { return {a / b.low, a / b.high}; }
+inline Lanes operator*(Lanes a, double b) { return {a.low * b, a.high * b}; }
+inline Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
+
+inline LaneMask operator&(LaneMask a, LaneMask b) { return {a.low & b.low, a.high & b.high}; }
+inline LaneMask operator|(LaneMask a, LaneMask b) { return {a.low | b.low, a.high | b.high}; }
+inline LaneMask operator^(LaneMask a, LaneMask b) { return {a.low ^ b.low, a.high ^ b.high}; }
+inline LaneMask operator~(LaneMask a) { return {~a.low, ~a.high}; }
+inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
+
+inline Lanes load_lanes(const double* values) {
+  const HalfLanes* halves = reinterpret_cast<const HalfLanes*>(values);
+  return {halves[0], halves[1]};
+}
+inline void store_lanes(double* values, Lanes x) {
+  HalfLanes* halves = reinterpret_cast<HalfLanes*>(values);
+  halves[0] = x.low;
+  halves[1] = x.high;
+}
+inline HalfLanes half_sqrt(HalfLanes x) {
+#ifdef __SSE2__
+  return (HalfLanes)_mm_sqrt_pd((__m128d)x);
+#else
+  return HalfLanes{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
+#endif
+}
+inline Lanes lane_sqrt(Lanes x) { return {half_sqrt(x.low), half_sqrt(x.high)}; }
+/// The root and its inverse.
+inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
+  root = lane_sqrt(square);
+  inverse = 1.0 / root;
+}
+inline LaneMask lane_less(Lanes a, Lanes b) { return {a.low < b.low, a.high < b.high}; }
+inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
+  return (mask & a) | (~mask & b);
+}
+inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
+  return {(HalfLanes)((mask.low & (HalfMask)a.low) | (~mask.low & (HalfMask)b.low)),
+          (HalfLanes)((mask.high & (HalfMask)a.high) | (~mask.high & (HalfMask)b.high))};
+}
+/// Bit k: lane k is true.
+inline int lane_bits(LaneMask mask) {
+#ifdef __SSE2__
+  return _mm_movemask_pd((__m128d)mask.low) | _mm_movemask_pd((__m128d)mask.high) << 2;
+#else
+  return (mask.low[0] ? 1 : 0) | (mask.low[1] ? 2 : 0) | (mask.high[0] ? 4 : 0) |
+         (mask.high[1] ? 8 : 0);
+#endif
+}
+inline Lanes all_lanes(double x) { return {x, x, x, x}; }
+inline LaneMask lanes_of_bits(int bits) {
+  return {-static_cast<long long>(bits & 1), -static_cast<long long>(bits >> 1 & 1),
+          -static_cast<long long>(bits >> 2 & 1), -static_cast<long long>(bits >> 3 & 1)};
+}
+
+/// Makes rows of columns.
+inline void transpose_lanes(Lanes (&rows)[4]) {
+  const Lanes a = rows[0], b = rows[1], c = rows[2], d = rows[3];
+  rows[0] = {a.low[0], b.low[0], c.low[0], d.low[0]};
+  rows[1] = {a.low[1], b.low[1], c.low[1], d.low[1]};
+  rows[2] = {a.high[0], b.high[0], c.high[0], d.high[0]};
+  rows[3] = {a.high[1], b.high[1], c.high[1], d.high[1]};
+}
+
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
+                     Lanes& second) {
+  first = {of[0][index], of[0][index], of[1][index], of[1][index]};
+  second = {of[0][index + 1], of[0][index + 1], of[1][index + 1], of[1][index + 1]};
+}
+/// Two values for block b, from of[b] + index.
+inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
+  return {*reinterpret_cast<const HalfLanes*>(of[0] + index),
+          *reinterpret_cast<const HalfLanes*>(of[1] + index)};
+}
+inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
+  const Lanes kept = lane_choice(where, x, lanes_of(of, index));
+  *reinterpret_cast<HalfLanes*>(of[1] + index) = kept.high;
+  *reinterpret_cast<HalfLanes*>(of[0] + index) = kept.low;
+}
+/// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
+/// whose last values may become anything.
+inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],
+                      double* const (&on_j)[lane_blocks]) {
+  const auto sums = [](HalfLanes x, HalfLanes y) {
+    return HalfLanes{x[0], y[0]} + HalfLanes{x[1], y[1]};
+  };
+  const HalfLanes force[2] = {sums(a.low, b.low), sums(a.high, b.high)};
+  const HalfLanes torque[2] = {sums(c.low, d.low), sums(c.high, d.high)};
+  for (int k = 0; k < 2; ++k) {  // the two may act on the same body
+    HalfLanes* const i = reinterpret_cast<HalfLanes*>(on_i[k]);
+    i[0] += force[k];
+    i[1] += torque[k];
+    HalfLanes* const j = reinterpret_cast<HalfLanes*>(on_j[k]);
+    j[0] -= force[k];
+    j[1] -= HalfLanes{torque[k][1], torque[k][1]};
+  }
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Contacts with walls, a block at a time, and the motion of bodies; included after planar_kernel.h,
+// for lanes of four.
+
+/// Where a wall pushes spheres with centres at `distance` from it along its axis.
+inline Lanes sides_of(const PlanarWall& wall, Lanes distance) {
+  if (wall.free_side != 0) return all_lanes(wall.free_side);
+  return lane_choice(lane_less(distance, all_lanes(0.0)), all_lanes(-1.0), all_lanes(1.0));
+}
+
+/// Evaluates lasting contacts with a wall, at the `distance` of the spheres' centres from it along
+/// its axis; returns the lanes that need the general way.
+inline int evaluate_lasting_wall(PlanarBlockHead& head, BlockValues& values, const Arms& arms,
+                                 const PlanarWall& wall, Lanes distance, int lasting,
+                                 const PlanarForces& forces) {
+  const PlanarFrame& i = forces.frames[head.i];
+  const Lanes zero = all_lanes(0.0), radius = all_lanes(i.radius);
+  const Lanes side = sides_of(wall, distance);
+  const Lanes nx = wall.axis == 0 ? side : zero, ny = wall.axis == 0 ? zero : side;
+  const Lanes overlap = radius - distance * side;
+  const Lanes lever = radius - 0.5 * overlap;
+  const Lanes px = arms.x - lever * nx, py = arms.y - lever * ny;
+  const Lanes ux = i.velocity[0] - i.velocity[2] * py, uy = i.velocity[1] + i.velocity[2] * px;
+  PlanarBlockHead* const heads[lane_blocks] = {&head, &head};
+  int sliding = head.sliding;
+  const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
+                                          uy * nx - ux * ny, lasting, sliding, forces);
+  head.sliding = static_cast<std::uint8_t>(sliding & all_of_block);
+  const Lanes fx = force.normal * nx - force.tangential * ny;
+  const Lanes fy = force.normal * ny + force.tangential * nx;
+  alignas(64) PlanarVector on_wall;
+  double* const load = forces.loads[head.i].d;
+  double *const load_i[lane_blocks] = {load, load}, *const load_j[lane_blocks] = {on_wall.d,
+                                                                                  on_wall.d};
+  add_loads(fx, fy, px * fy - py * fx, zero, load_i, load_j);
+  return force.general;
+}
+
+int evaluate_walls(const PlanarForces& forces) {
+  int entries = 0;
+  for (int place = 0; place < forces.count; ++place) {
+    PlanarBlockHead& head = forces.heads[place];
+    const PlanarFrame& i = forces.frames[head.i];
+    const PlanarWall& wall = forces.walls[-1 - head.j];
+    // All blocks of a register are this one; lanes of the first count.
+    double* const first = forces.values + static_cast<long>(place) * forces.stride;
+    double* const values[lane_blocks] = {first, first};
+    const double* const of_i = reinterpret_cast<const double*>(&i);
+    const double* const frame[lane_blocks] = {of_i, of_i};
+    const Arms arms = arms_of(values, planar_xi, planar_yi, frame);
+    const Lanes distance =
+        (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
+    const Lanes side = sides_of(wall, distance);
+    const int touching = ~lane_bits(lane_less(all_lanes(i.radius), distance * side)) & head.used;
+    const int here = touching | head.alive;
+    if (here == 0) continue;
+    int lasting = touching & head.mature;
+    if (forces.jumped && forces.jumped[head.i]) lasting = 0;
+    int general = here & ~lasting;
+    if (lasting)
+      general |= evaluate_lasting_wall(head, values, arms, wall, distance, lasting, forces);
+    if (general != 0) forces.general[entries++] = {place, general};
+  }
+  return entries;
+}
+
+/// One multistep step of the velocity; returns the displacement over dt.
+inline Lanes advance_velocity(const PlanarMotions& motions, int body) {
+  const int order = motions.order;
+  if (motions.evaluations[body] <= order) ++motions.evaluations[body];
+  const double* const of_force = motions.force_weights[motions.evaluations[body]];
+  double *const load = motions.loads[body].d, *const velocity = motions.frames[body].velocity;
+  const Lanes v = load_lanes(velocity);
+  const Lanes a = load_lanes(load) * load_lanes(motions.inverse_inertia[body].d);
+  store_lanes(load, load_lanes(motions.weights[body].d));
+  Lanes dx = motions.velocity_weights[0] * v, dv = of_force[0] * a;
+  for (int k = 0; k < order - 1; ++k) {
+    dx += motions.velocity_weights[k + 1] * load_lanes(motions.past_velocity[k][body].d);
+    dv += of_force[k + 1] * load_lanes(motions.past_acceleration[k][body].d);
+  }
+  // The oldest rates make room for those of this step. The radius beside the velocity has no
+  // acceleration.
+  if (order > 1) {
+    store_lanes(motions.past_velocity[order - 2][body].d, v);
+    store_lanes(motions.past_acceleration[order - 2][body].d, a);
+  }
+  store_lanes(velocity, v + motions.dt * dv);
+  return dx;
+}
+
+inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
+  const Lanes one = all_lanes(1.0);
+  const Lanes most = all_lanes(1e-4);
+  Lanes square = angle * angle;
+  int halvings = 0;
+  while (lane_bits(lane_less(most, square)) != 0) {
+    angle = 0.5 * angle;
+    square = 0.25 * square;
+    ++halvings;
+  }
+  // The first terms left out are below 1e-20.
+  c = one - 0.5 * square * (one - (1.0 / 12) * square * (one - (1.0 / 30) * square));
+  s = angle *
+      (one - (1.0 / 6) * square * (one - (1.0 / 20) * square * (one - (1.0 / 42) * square)));
+  for (; halvings > 0; --halvings) {
+    const Lanes twice = 2.0 * s;
+    const Lanes sine = twice * c;
+    c = one - twice * s;
+    s = sine;
+  }
+}
+
+/// rigid_motion.h's planar step for all bodies; the rotation by the increment of the angle is made
+/// on cosine and sine.
+int advance(const PlanarMotions& motions) {
+  int entries = 0;
+  for (int first = 0; first < motions.count; first += body_lanes) {
+    // Bodies beyond the last repeat it.
+    const int left = motions.count - first, members = left < body_lanes ? left : body_lanes;
+    Lanes motion[body_lanes], place[body_lanes];
+    for (int k = 0; k < body_lanes; ++k) {
+      motion[k] = k < members ? advance_velocity(motions, first + k) : motion[members - 1];
+      place[k] = load_lanes(&motions.frames[first + (k < members ? k : members - 1)].x);
+    }
+    transpose_lanes(motion);
+    transpose_lanes(place);
+    const Lanes x = place[0] + motions.dt * motion[0], y = place[1] + motions.dt * motion[1];
+    Lanes c, s;
+    cosine_and_sine(motions.dt * motion[2], c, s);
+    const Lanes cosine = place[2] * c - place[3] * s, sine = place[3] * c + place[2] * s;
+    // One Newton step for 1/sqrt: the square of the norm is 1 to a few rounding errors.
+    const Lanes scale = all_lanes(1.5) - 0.5 * (cosine * cosine + sine * sine);
+    place[0] = x;
+    place[1] = y;
+    place[2] = cosine * scale;
+    place[3] = sine * scale;
+
+    const PlanarListedLanes& at = motions.listed[first / body_lanes];
+    const Lanes rx = x - load_lanes(at.x), ry = y - load_lanes(at.y);
+    const Lanes tc = place[2] - load_lanes(at.cosine), ts = place[3] - load_lanes(at.sine);
+    const Lanes reach = load_lanes(at.reach);
+    // |a| + |b| <= sqrt(2 (a^2 + b^2))
+    const Lanes moved = lane_sqrt(2.0 * (rx * rx + ry * ry + reach * reach * (tc * tc + ts * ts)));
+    store_lanes(motions.moved + first, moved);
+    const int far = lane_bits(lane_less(load_lanes(at.skin), moved));
+    transpose_lanes(place);
+    for (int k = 0; k < members; ++k) {
+      store_lanes(&motions.frames[first + k].x, place[k]);
+      if (far & 1 << k) motions.to_list[entries++] = first + k;
+    }
+  }
+  return entries;
+}
