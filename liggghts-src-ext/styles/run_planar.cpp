@@ -33,9 +33,9 @@ namespace {
 const bigint fewest_steps = 8;
 
 // Fixes that act in every step, by what the engine does itself.
-const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere", "wall/gran",
-                                   "wall/gran/solid",
-                                   "gravity", "contacthistory"};
+const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere",
+                                   "wall/gran",      "wall/gran/solid",
+                                   "gravity",        "contacthistory"};
 
 bool is_known(const char* style) {
   for (const char* known : known_fixes)

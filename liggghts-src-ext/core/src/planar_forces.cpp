@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of one step: what is common to its contacts, and the general path, one contact at a time by
-// the formulas that the sphere-level styles call.
+// Forces of one step: what is common to its contacts, and the general path, one contact at a time
+// by the formulas that the sphere-level styles call.
 #include <algorithm>
 #include <cmath>
 

@@ -55,9 +55,8 @@ PlanarInstructions planar_instructions(const std::string& name) {
   std::string expected = "auto";
   for (const PlanarInstructions set : available_planar_instructions())
     expected += std::string(", ") + name_of(set);
-  for (const PlanarInstructions set :
-       {PlanarInstructions::automatic, PlanarInstructions::baseline, PlanarInstructions::avx2,
-        PlanarInstructions::avx512}) {
+  for (const PlanarInstructions set : {PlanarInstructions::automatic, PlanarInstructions::baseline,
+                                       PlanarInstructions::avx2, PlanarInstructions::avx512}) {
     if (name != name_of(set)) continue;
     if (available(set)) return set;
     throw std::invalid_argument("instructions is " + name +

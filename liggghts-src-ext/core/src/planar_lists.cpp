@@ -97,8 +97,8 @@ void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Da
   saved.since = birth.since[lane];
 }
 
-void restore_lane(PlanarBlockPool& pool, int place, int lane,
-                  const PlanarScene::Data::Saved& saved, bool turned) {
+void restore_lane(PlanarBlockPool& pool, int place, int lane, const PlanarScene::Data::Saved& saved,
+                  bool turned) {
   PlanarBlockHead& head = pool.heads[place];
   double* const values = pool.values(place) + lane;
   PlanarBlockBirth& birth = pool.births[place];
@@ -208,7 +208,8 @@ void PlanarScene::Data::list(int body) {
       if (head.i != contact.i || head.j != contact.j) continue;
       const PlanarBlockBirth& birth = pool.births[place];
       for (int lane = 0; lane < planar_lanes; ++lane)
-        if ((head.used & 1 << lane) && birth.sphere_i[lane] == contact.sphere_i && birth.sphere_j[lane] == contact.sphere_j)
+        if ((head.used & 1 << lane) && birth.sphere_i[lane] == contact.sphere_i &&
+            birth.sphere_j[lane] == contact.sphere_j)
           restore_lane(pool, place, lane, contact);
     }
   }
@@ -226,7 +227,7 @@ struct Candidate {
 void add_blocks(PlanarBlockPool& pool, PlanarBlockHead head, std::vector<Candidate>& candidates,
                 const PlanarSphere* of_i, const PlanarSphere* of_j) {
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.gap != b.gap                   ? a.gap < b.gap
+    return a.gap != b.gap             ? a.gap < b.gap
            : a.sphere_i != b.sphere_i ? a.sphere_i < b.sphere_i
                                       : a.sphere_j < b.sphere_j;
   });

@@ -21,7 +21,7 @@ struct alignas(16) PlanarBlockHead {
   std::int32_t i, j;  // bodies; j = -1 - wall
   double gap;         // the least between spheres where the bodies were listed, m
   double gamma[2];    // dashpots along the normal and the tangent, kg/s
-  std::int32_t law;                           // place of the other constants in PlanarForces::laws
+  std::int32_t law;   // place of the other constants in PlanarForces::laws
   // Bit per lane. mature: its history is full. Together they are `flags` of the inner loops.
   std::uint8_t used, alive, mature, sliding;
 };
@@ -53,9 +53,9 @@ struct PlanarBlockBirth {
   bool fresh[planar_lanes];
 };
 
-/// Blocks in arrays, and the list of them for each body. Blocks that were removed leave holes, which
-/// new ones fill: nothing is alive in them, their gap is endless, and the spheres that they name do not
-/// coincide, so that their distance has an inverse.
+/// Blocks in arrays, and the list of them for each body. Blocks that were removed leave holes,
+/// which new ones fill: nothing is alive in them, their gap is endless, and the spheres that they
+/// name do not coincide, so that their distance has an inverse.
 class PlanarBlockPool {
  public:
   PlanarBlockPool(int bodies, int slots) : slots(slots), of_body_(bodies) {}

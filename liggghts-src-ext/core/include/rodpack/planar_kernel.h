@@ -110,8 +110,7 @@ inline LaneFlags flags_of(PlanarBlockHead* const (&heads)[lane_blocks]) {
 /// Evaluates the lasting contacts of the blocks `places`, of which only the first `members` are
 /// there; the others repeat one. Returns the lanes that need the general way.
 inline __attribute__((always_inline)) int evaluate_blocks(const int (&places)[lane_blocks],
-                                                          int members,
-                                                          const PlanarForces& forces) {
+                                                          int members, const PlanarForces& forces) {
   PlanarBlockHead* heads[lane_blocks];
   double* values[lane_blocks];
   const double *frame_i[lane_blocks], *frame_j[lane_blocks];

@@ -30,7 +30,8 @@ inline int evaluate_lasting_wall(PlanarBlockHead& head, BlockValues& values, con
   const Lanes fy = force.normal * ny + force.tangential * nx;
   alignas(64) PlanarVector on_wall;
   double* const load = forces.loads[head.i].d;
-  double *const load_i[lane_blocks] = {load, load}, *const load_j[lane_blocks] = {on_wall.d, on_wall.d};
+  double *const load_i[lane_blocks] = {load, load}, *const load_j[lane_blocks] = {on_wall.d,
+                                                                                  on_wall.d};
   add_loads(fx, fy, px * fy - py * fx, zero, load_i, load_j);
   return force.general;
 }
@@ -47,7 +48,8 @@ int evaluate_walls(const PlanarForces& forces) {
     const double* const of_i = reinterpret_cast<const double*>(&i);
     const double* const frame[lane_blocks] = {of_i, of_i};
     const Arms arms = arms_of(values, planar_xi, planar_yi, frame);
-    const Lanes distance = (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
+    const Lanes distance =
+        (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
     const Lanes side = sides_of(wall, distance);
     const int touching = ~lane_bits(lane_less(all_lanes(i.radius), distance * side)) & head.used;
     const int here = touching | head.alive;
@@ -98,7 +100,8 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
   }
   // The first terms left out are below 1e-20.
   c = one - 0.5 * square * (one - (1.0 / 12) * square * (one - (1.0 / 30) * square));
-  s = angle * (one - (1.0 / 6) * square * (one - (1.0 / 20) * square * (one - (1.0 / 42) * square)));
+  s = angle *
+      (one - (1.0 / 6) * square * (one - (1.0 / 20) * square * (one - (1.0 / 42) * square)));
   for (; halvings > 0; --halvings) {
     const Lanes twice = 2.0 * s;
     const Lanes sine = twice * c;
@@ -137,8 +140,7 @@ int advance(const PlanarMotions& motions) {
     const Lanes tc = place[2] - load_lanes(at.cosine), ts = place[3] - load_lanes(at.sine);
     const Lanes reach = load_lanes(at.reach);
     // |a| + |b| <= sqrt(2 (a^2 + b^2))
-    const Lanes moved =
-        lane_sqrt(2.0 * (rx * rx + ry * ry + reach * reach * (tc * tc + ts * ts)));
+    const Lanes moved = lane_sqrt(2.0 * (rx * rx + ry * ry + reach * reach * (tc * tc + ts * ts)));
     store_lanes(motions.moved + first, moved);
     const int far = lane_bits(lane_less(load_lanes(at.skin), moved));
     transpose_lanes(place);

@@ -108,7 +108,7 @@ struct PlanarScene::Data {
   std::vector<int> to_list, near;
   std::vector<PlanarGeneral> general;
   std::vector<int> awake;  // blocks
-  struct Saved {  // contacts of a body while it is listed anew
+  struct Saved {           // contacts of a body while it is listed anew
     int i, j;
     std::uint16_t sphere_i, sphere_j;
     bool sliding, mature, fresh;
@@ -125,8 +125,8 @@ struct PlanarScene::Data {
 /// Moves a contact between a lane and a record of its own. `turned`: as after the next turn of the
 /// velocities.
 void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved);
-void restore_lane(PlanarBlockPool& pool, int place, int lane,
-                  const PlanarScene::Data::Saved& saved, bool turned = false);
+void restore_lane(PlanarBlockPool& pool, int place, int lane, const PlanarScene::Data::Saved& saved,
+                  bool turned = false);
 void clear_lane(PlanarBlockPool& pool, int place, int lane);
 
 }  // namespace rodpack
