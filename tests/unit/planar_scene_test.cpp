@@ -283,8 +283,8 @@ TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
   }
 }
 
-// Loads of a heap that moves and of one that rests, and forces of its contacts, after some steps from
-// the same state; measured by the largest normal force.
+// Loads of a heap that moves and of one that rests, and forces of its contacts, after some steps
+// from the same state; measured by the largest normal force.
 TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
   for (const bool events : {false, true})
     for (const int order : {2, 3, 4}) {

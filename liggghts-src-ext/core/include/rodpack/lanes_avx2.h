@@ -51,7 +51,8 @@ inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
   return (Lanes)_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + index)),
                                      _mm_load_pd(of[1] + index), 1);
 }
-/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
+/// block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
   const __m256d both = (__m256d)lanes_of(of, index);
@@ -69,7 +70,8 @@ inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[
                       double* const (&on_j)[lane_blocks]) {
   const __m256d ab = _mm256_hadd_pd((__m256d)a, (__m256d)b);
   const __m256d cd = _mm256_hadd_pd((__m256d)c, (__m256d)d);
-  const __m256d of[2] = {_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab, cd, 0x31)};
+  const __m256d of[2] = {_mm256_permute2f128_pd(ab, cd, 0x20),
+                         _mm256_permute2f128_pd(ab, cd, 0x31)};
   for (int k = 0; k < 2; ++k) {  // the two may act on the same body
     _mm256_store_pd(on_i[k], _mm256_add_pd(_mm256_load_pd(on_i[k]), of[k]));
     _mm256_store_pd(on_j[k],

@@ -9,9 +9,15 @@ typedef double Lanes __attribute__((vector_size(64), may_alias));
 struct LaneMask {
   __mmask8 bits;
 };
-inline LaneMask operator&(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits & b.bits)}; }
-inline LaneMask operator|(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits | b.bits)}; }
-inline LaneMask operator^(LaneMask a, LaneMask b) { return {static_cast<__mmask8>(a.bits ^ b.bits)}; }
+inline LaneMask operator&(LaneMask a, LaneMask b) {
+  return {static_cast<__mmask8>(a.bits & b.bits)};
+}
+inline LaneMask operator|(LaneMask a, LaneMask b) {
+  return {static_cast<__mmask8>(a.bits | b.bits)};
+}
+inline LaneMask operator^(LaneMask a, LaneMask b) {
+  return {static_cast<__mmask8>(a.bits ^ b.bits)};
+}
 inline LaneMask operator~(LaneMask a) { return {static_cast<__mmask8>(~a.bits)}; }
 inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
 
@@ -41,7 +47,8 @@ inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
   all = _mm512_mask_broadcast_f64x2(all, 0x30, _mm_load_pd(of[2] + index));
   return (Lanes)_mm512_mask_broadcast_f64x2(all, 0xc0, _mm_load_pd(of[3] + index));
 }
-/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
+/// block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
   const __m512d both = (__m512d)lanes_of(of, index);
@@ -65,7 +72,8 @@ inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[
   const __m512d cd = _mm512_add_pd(_mm512_unpacklo_pd((__m512d)c, (__m512d)d),
                                    _mm512_unpackhi_pd((__m512d)c, (__m512d)d));
   const __m512d low = _mm512_permutex2var_pd(ab, _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), cd);
-  const __m512d high = _mm512_permutex2var_pd(ab, _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15), cd);
+  const __m512d high =
+      _mm512_permutex2var_pd(ab, _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15), cd);
   const __m256d of[4] = {_mm512_castpd512_pd256(low), _mm512_extractf64x4_pd(low, 1),
                          _mm512_castpd512_pd256(high), _mm512_extractf64x4_pd(high, 1)};
   for (int k = 0; k < 4; ++k) {  // they may act on the same body

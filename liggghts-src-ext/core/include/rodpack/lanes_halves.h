@@ -94,7 +94,8 @@ inline void transpose_lanes(Lanes (&rows)[4]) {
   rows[3] = {a.high[1], b.high[1], c.high[1], d.high[1]};
 }
 
-/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its block.
+/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
+/// block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
   first = {of[0][index], of[0][index], of[1][index], of[1][index]};
