@@ -170,9 +170,34 @@ bool RunPlanar::anywhere(bool here) const {
 }
 
 void RunPlanar::run(int steps) {
-  const bigint last = update->ntimestep + steps;
   if (!bodies_->planar())
     refuse("fix multisphere/ab moves in space, expected 'planar yes' or a fix enforce2d");
+  const bigint first = update->ntimestep;
+  done_ = rodpack::PlanarScene::Statistics();
+  run_until(first + steps);
+  report(update->ntimestep - first);
+}
+
+/// What the engine did, for whoever wonders about skins, looks or ranks.
+void RunPlanar::report(bigint steps) const {
+  const double mine[] = {static_cast<double>(done_.steps), static_cast<double>(done_.listings),
+                         static_cast<double>(done_.ghosts), static_cast<double>(done_.sent)};
+  double all[4];
+  MPI_Reduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me != 0 || steps == 0) return;
+  const double made = all[0] / comm->nprocs, each = std::max(all[0], 1.0);
+  char line[256];
+  int length = std::snprintf(line, sizeof line,
+                             "Planar engine: %.4g %% of the steps; in each %.3g bodies listed anew",
+                             100.0 * made / static_cast<double>(steps), all[1] / each);
+  if (comm->nprocs > 1)
+    std::snprintf(line + length, sizeof line - length, ", %.4g ghosts and %.4g bytes sent per rank",
+                  all[2] / each, all[3] / each);
+  for (FILE* out : {screen, logfile})
+    if (out) std::fprintf(out, "%s\n", line);
+}
+
+void RunPlanar::run_until(bigint last) {
   while (update->ntimestep < last) {
     const bigint look = std::min(last, next_look());
     const bigint quiet = look - update->ntimestep - 1;
@@ -204,6 +229,11 @@ void RunPlanar::run_engine(bigint steps) {
     refuse_one(reason.what());
   }
   update->ntimestep += done;
+  const rodpack::PlanarScene::Statistics made = scene_->statistics();
+  done_.steps += made.steps;
+  done_.listings += made.listings;
+  done_.ghosts += made.ghosts;
+  done_.sent += made.sent;
   timer->stamp(TIME_PAIR);
   give_back();
   timer->stamp(TIME_COMM);

@@ -44,6 +44,8 @@ class RunPlanar : public Verlet {
   void find_bodies();
   bigint next_look() const;
   bool anywhere(bool here) const;
+  void run_until(bigint last);
+  void report(bigint steps) const;
   void run_engine(bigint steps);
   rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
   std::vector<rodpack::PlanarBody> take_bodies();
@@ -65,6 +67,7 @@ class RunPlanar : public Verlet {
   std::vector<std::vector<int> > atoms_;  // of each of them by their tags, ghosts among them
   std::unique_ptr<MpiRanks> ranks_;
   std::unique_ptr<rodpack::PlanarScene> scene_;
+  rodpack::PlanarScene::Statistics done_;  // in this run, by this rank
 };
 
 }  // namespace LAMMPS_NS

@@ -81,7 +81,11 @@ void PlanarHalo::update(PlanarScene::Data& scene) {
   }
   for (std::size_t k = 0; k < links_.size(); ++k) pack(scene, partners_[k], links_[k]);
   ranks_.swap(links_);
-  for (std::size_t k = 0; k < links_.size(); ++k) unpack(scene, partners_[k], links_[k]);
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    unpack(scene, partners_[k], links_[k]);
+    scene.statistics.ghosts += static_cast<long>(partners_[k].received.size());
+    scene.statistics.sent += static_cast<long>(links_[k].out_count * sizeof(double));
+  }
 }
 
 /// The way that the body has gone that has gone farthest since ghosts were chosen.

@@ -137,6 +137,7 @@ class PlanarScene {
   struct Statistics {
     long steps, listings;       // steps, and listings of single bodies
     long evaluations, general;  // sphere pairs in contact, and those on the general path
+    long ghosts, sent;          // of all steps: ghosts brought to it, and bytes sent for that
     int blocks;                 // of candidate pairs at present
   };
   Statistics statistics() const;
