@@ -104,6 +104,7 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   PlanarContact contact;
   const bool touches = place_lane(pool, place, lane, contact);
   if (!touches && !alive) return;
+  if (touches && outlast_jump(pool, place, lane, contact)) return;
 
   Saved lane_state;
   save_lane(pool, place, lane, lane_state);

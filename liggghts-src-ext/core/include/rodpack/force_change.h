@@ -105,6 +105,18 @@ inline ForceChange torque_change(const double (&lever)[3], const double (&lever_
   return torque;
 }
 
+/// Adds the same to `torque` where everything lies in the plane of x and y: its z components.
+inline void add_planar_torque_change(const double (&lever)[3], const double (&lever_rate)[3],
+                                     const ForceChange& force, ForceChange& torque) {
+  const auto about_z = [](const double(&arm)[3], const double(&vector)[3]) {
+    return arm[0] * vector[1] - arm[1] * vector[0];
+  };
+  torque.now[2] += about_z(lever, force.now);
+  torque.rate[2] += about_z(lever, force.rate) + about_z(lever_rate, force.now);
+  torque.impulse[2] += about_z(lever, force.impulse) - about_z(lever_rate, force.sweep);
+  torque.sweep[2] += about_z(lever, force.sweep);
+}
+
 /// Time since a quantity that is `before` one step ago and `now` now, of the other sign, was 0.
 inline double time_since_zero(double before, double now, double dt) {
   return dt * std::min(1.0, std::max(0.0, now / (now - before)));

@@ -98,7 +98,7 @@ class PlanarEvents {
     }
     Changes& sum = changes_[place_[body]];
     sum.force += force;
-    sum.torque += torque_change(lever, rate, force);
+    add_planar_torque_change(lever, rate, force, sum.torque);
     sum.jumps = sum.jumps || jumps;
   }
 

@@ -84,6 +84,7 @@ struct PlanarScene::Data {
   PlanarForces forces_of(PlanarBlockPool& pool);
   void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
+  bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
 
