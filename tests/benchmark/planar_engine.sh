@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Time of a step of run_style verlet/planar against the built-in multisphere at the best of three skins
+# Time of a step of run_style verlet/planar against the built-in multisphere at the best of some skins
 # (spheres: nve/sphere) and the sphere-level multisphere/ab: whole decks (in.steps) from the same state,
 # one core, in turns.
 #
@@ -23,6 +23,7 @@ cd "$work"
 # Sets `bed` (its restart file), `particle` (variables of in.steps) and the methods beside the built-in's.
 describe() {
   others="spheres planar planar:events=no"
+  skins="1e-4 3e-4 1e-3"
   stock=builtin
   state=end
   folder=$1
@@ -35,6 +36,7 @@ describe() {
     falling)
       folder=ar5
       state='[0-9]*'
+      skins="3e-4 1e-3 2e-3 4e-3"
       ;;
     ar2) particle="aspect_ratio=2 width=0.12" ;;
     ar7) particle="aspect_ratio=7 width=0.42" ;;
@@ -52,7 +54,7 @@ describe() {
   # shellcheck disable=SC2012,SC2086  # a pattern; names without blanks
   bed=$(ls "$build/benchmark/beds/$folder"/restart/deposition.$state.restart | head -n 1)
   methods=
-  for skin in 1e-4 3e-4 1e-3; do methods="$methods $stock:skin=$skin"; done
+  for skin in $skins; do methods="$methods $stock:skin=$skin"; done
   methods="$methods $others"
 }
 
@@ -66,9 +68,17 @@ for case in $cases; do
       for setting in $(echo "$particle ${method#"${method%%:*}"}" | tr ':' ' '); do
         arguments="$arguments -var ${setting%%=*} ${setting#*=}"
       done
+      start=$bed
+      case $method in nve*)
+        start=$work/$case.data
+        "$here/bed_data.sh" "$build/benchmark/beds/$folder" | sed '/^Molecules/,$d' > "$start"
+        ;;
+      esac
+      steps=1000
+      case $method in planar*) steps=4000 ;; esac
       # shellcheck disable=SC2086  # words
-      taskset -c 1 "$build/bin/liggghts" -in "$here/in.steps" -var start "$bed" \
-        -var method "${method%%:*}" -var steps 4000 $arguments > run.out 2>&1 || { tail -3 run.out; exit 1; }
+      taskset -c 1 "$build/bin/liggghts" -in "$here/in.steps" -var start "$start" \
+        -var method "${method%%:*}" -var steps $steps $arguments > run.out 2>&1 || { tail -3 run.out; exit 1; }
       # shellcheck disable=SC2016  # awk's
       awk -v name="$method" '/^Loop time/ { time = $4; steps = $9; spheres = $12 }
         END { print name, time / steps / spheres * 1e9 }' run.out >> "$case.times"

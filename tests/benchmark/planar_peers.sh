@@ -29,23 +29,7 @@ clock() {
     END { print name, time / steps / spheres * 1e9 }' run.out >> times.txt
 }
 
-# Bodies of the dumps, each sphere as dense as gives the body its mass.
-# shellcheck disable=SC2012  # names without blanks
-awk 'FNR == 1 { file++ }
-  file == 1 && FNR > 9 { mass[$1] = $NF; spheres[$1] = $3 }
-  file == 2 && FNR == 6 { x = $0 }
-  file == 2 && FNR == 7 { y = $0 }
-  file == 2 && FNR > 9 {
-    density = mass[$2] / spheres[$2] / (4 / 3 * 3.14159265358979 * $7 ^ 3)
-    atom[++n] = $1 " 1 " 2 * $7 " " density " " $4 " " $5 " 0"
-    body[n] = $1 " " $2
-  }
-  END {
-    print "bed\n\n" n " atoms\n1 atom types\n" x " xlo xhi\n" y " ylo yhi\n-0.01 0.01 zlo zhi\n\nAtoms # sphere\n"
-    for (k = 1; k <= n; ++k) print atom[k]
-    print "\nMolecules\n"
-    for (k = 1; k <= n; ++k) print body[k]
-  }' "$(ls -t "$bed"/dumps/bodies.* | head -n 1)" "$(ls -t "$bed"/dumps/spheres.* | head -n 1)" > bed.data
+"$here/bed_data.sh" "$bed" > bed.data
 
 round=0
 while [ $round -lt "$rounds" ]; do

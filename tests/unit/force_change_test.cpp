@@ -74,6 +74,19 @@ TEST(ForceChange, TorqueFollowsAMovingLever) {
 }
 
 // Two steps at constant acceleration after a jump: the dashpot's force is -c times the velocity.
+TEST(ForceChange, PlanarTorqueIsTheSpatialOne) {
+  const double lever[3] = {0.3, -0.2, 0}, lever_rate[3] = {-2, 5, 0};
+  const ForceChange force = linear_change({1.5, 0.7, 0}, {-20, 11, 0}, 0.03);
+  const ForceChange spatial = torque_change(lever, lever_rate, force);
+  ForceChange planar = spatial;
+  add_planar_torque_change(lever, lever_rate, force, planar);
+  for (const auto part :
+       {&ForceChange::now, &ForceChange::rate, &ForceChange::impulse, &ForceChange::sweep}) {
+    EXPECT_NEAR((planar.*part)[2], 2 * (spatial.*part)[2], 1e-15 * std::fabs((spatial.*part)[2]));
+    EXPECT_NE((planar.*part)[2], 0);
+  }
+}
+
 TEST(ForceChange, DashpotTakesTheChangedVelocity) {
   const double c = 3, dt = 0.1, a[3] = {2, 0, -1}, v[3] = {0.1, 0.2, 0}, x[3] = {0.01, 0, 0.02};
   const ForceChange change = dashpot_change(c, a, v, x, dt);
