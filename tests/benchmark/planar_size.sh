@@ -31,7 +31,8 @@ done
 # width of a bed of so many rods, m
 width() { awk -v rods="$1" 'BEGIN { print int(rods / 9) * 0.015 }'; }
 
-# RANKS RESTART WIDTH METHOD STEPS: prints ns per sphere and step, and the largest memory of a rank, kB
+# RANKS RESTART WIDTH METHOD STEPS: prints ns per sphere and step, the largest memory of a rank (kB), the number
+# of spheres, and ghosts and bytes that a rank sends in a step
 steps() {
   launcher="taskset -c 1"
   [ "$1" = 1 ] || launcher="mpiexec --bind-to core -np $1"
@@ -47,7 +48,8 @@ steps() {
   wait $run || { tail -3 run.out; exit 1; }
   # shellcheck disable=SC2016  # awk's
   awk -v memory="$memory" '/^Loop time/ { time = $4; steps = $9; spheres = $12 }
-    END { print time / steps / spheres * 1e9, memory, spheres }' run.out
+    /^Planar engine:.*ghosts/ { ghosts = $(NF - 7); bytes = $(NF - 4) }
+    END { print time / steps / spheres * 1e9, memory, spheres, ghosts + 0, bytes + 0 }' run.out
 }
 
 rm -f times.txt
@@ -66,7 +68,7 @@ done
 echo "spheres_100000 $(steps 1 "$beds/100000/restart/deposition.end.restart" "$(width 100000)" spheres 20)" >> times.txt
 
 sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_size.json" '
-  { value[$1, ++count[$1]] = $2; if ($3 > memory[$1]) memory[$1] = $3; spheres[$1] = $4 }
+  { value[$1, ++count[$1]] = $2; if ($3 > memory[$1]) memory[$1] = $3; spheres[$1] = $4; ghosts[$1] = $5; bytes[$1] = $6 }
   function median(m) { return value[m, int((count[m] + 1) / 2)] }
   function spread(m) { return value[m, count[m]] / value[m, 1] - 1 }
   function pair(name, a, b) {
@@ -80,5 +82,6 @@ sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_size.json" '
     print "[\n" pair("9000 rods, one rank over two", "ranks_1", "ranks_2") ",\n" \
           pair("rods 10000 over 1000", "size_10000", "size_1000") ",\n" \
           pair("rods 100000 over 1000", "size_100000", "size_1000") ",\n" \
+          sprintf("  {\"name\": \"9000 rods, two ranks\", \"ghosts_per_rank\": %.4g, \"bytes_sent_per_rank_and_step\": %.4g},\n", ghosts["ranks_2"], bytes["ranks_2"]) \
           sprintf("  {\"name\": \"memory beyond the sphere level, 100000 rods\", \"bytes_per_sphere\": %.0f}", bytes) "\n]" > file
   }'
