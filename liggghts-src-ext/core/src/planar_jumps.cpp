@@ -9,7 +9,7 @@ namespace rodpack {
 
 namespace {
 
-/// Components of the two halves of a MotionChange along a unit vector.
+/// Components of a MotionChange along a unit vector.
 struct AlongAxis {
   double acceleration, velocity, displacement;
   AlongAxis(const MotionChange& change, double x, double y)
