@@ -20,7 +20,7 @@ bed() {
   echo "making the bed $name (build/benchmark/beds/$name)"
   rm -rf "${beds:?}/$name"
   stdbuf -oL "$build/bin/liggghts" -in "$here/../../inputs/deposition/in.deposition" \
-    -var integrator builtin -var timestep 2.2e-5 -var relaxation_ratio 1e-7 -var output_interval 100 \
+    -var integrator builtin -var timestep 2.2e-5 -var relaxation_ratio 1e-5 -var output_interval 100 \
     -var out "$beds/$name" "$@" > "$beds/$name.out" 2>&1 || { tail -3 "$beds/$name.out"; exit 1; }
 }
 
