@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run_style verlet/planar against the size of the scene: cost per rod and step of 1000, 10 000 and 100 000
-# rods (beds of ten lines, equally high, ever wider), memory beyond that of the sphere-level styles, and one
+# rods (beds of four lines, equally high, ever wider), memory beyond that of the sphere-level styles, and one
 # rank against two with 9000 rods (the bed of planar_deposition.sh).
 #
 #   tests/benchmark/planar_size.sh BUILD-FOLDER [ROUNDS]
@@ -23,13 +23,13 @@ for rods in $sizes; do
   echo "making the bed of $rods rods"
   rm -rf "${beds:?}/$rods"
   stdbuf -oL "$build/bin/liggghts" -in "$here/../../inputs/deposition/in.deposition" -var engine planar \
-    -var particles "$rods" -var particles_per_line $((rods / 10)) -var width_in_lengths $((rods / 9)) \
-    -var container_height 0.2 -var timestep 2.2e-5 -var relaxation_ratio 1e-3 -var output_interval 100 \
+    -var particles "$rods" -var particles_per_line $((rods / 4)) -var width_in_lengths $((rods * 10 / 36)) \
+    -var container_height 0.06 -var timestep 2.2e-5 -var relaxation_ratio 1e-3 -var output_interval 100 \
     -var restart_interval 100 -var out "$beds/$rods" > "$rods.out" 2>&1 || { tail -3 "$rods.out"; exit 1; }
 done
 
 # width of a bed of so many rods, m
-width() { awk -v rods="$1" 'BEGIN { print int(rods / 9) * 0.015 }'; }
+width() { awk -v rods="$1" 'BEGIN { print int(rods * 10 / 36) * 0.015 }'; }
 
 # RANKS RESTART WIDTH METHOD STEPS: prints ns per sphere and step, the largest memory of a rank (kB), the number
 # of spheres, and ghosts and bytes that a rank sends in a step
