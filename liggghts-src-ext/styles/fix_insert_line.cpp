@@ -188,6 +188,35 @@ std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Place>&
   return spheres;
 }
 
+/// Spheres of a line in the order of x, to find those at a place without a look at all.
+class FixInsertLine::SpheresAlongX {
+ public:
+  /// `period` of x; 0: none
+  SpheresAlongX(const std::vector<Sphere>& spheres, double period) : widest_(0.0), period_(period) {
+    for (const Sphere& sphere : spheres) {
+      sorted_.push_back(&sphere);
+      widest_ = std::max(widest_, sphere.radius);
+    }
+    std::sort(sorted_.begin(), sorted_.end(),
+              [](const Sphere* a, const Sphere* b) { return a->x[0] < b->x[0]; });
+  }
+
+  /// Calls look(sphere) for all that a sphere at x may touch, and some others.
+  template <class Look>
+  void visit(double x, double radius, Look look) const {
+    for (int image = period_ > 0.0 ? -1 : 0; image <= (period_ > 0.0 ? 1 : 0); ++image) {
+      const double here = x + image * period_, reach = radius + widest_;
+      auto next = std::lower_bound(sorted_.begin(), sorted_.end(), here - reach,
+                                   [](const Sphere* a, double low) { return a->x[0] < low; });
+      for (; next != sorted_.end() && (*next)->x[0] <= here + reach; ++next) look(**next);
+    }
+  }
+
+ private:
+  std::vector<const Sphere*> sorted_;
+  double widest_, period_;
+};
+
 void FixInsertLine::check_overlaps(const std::vector<Place>& line,
                                    const std::vector<Sphere>& spheres) const {
   struct {
@@ -205,6 +234,7 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
     found[0] = sphere.place;
     found[1] = tag;
   };
+  const SpheresAlongX near(spheres, domain->xperiodic ? domain->xprd : 0.0);
   double highest = options_.y, lowest = options_.y;
   for (const Sphere& sphere : spheres) {
     highest = std::max(highest, sphere.x[1] + sphere.radius);
@@ -213,12 +243,14 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
   for (int i = 0; i < atom->nlocal; ++i) {
     const double y = atom->x[i][1], radius = atom->radius[i];
     if (!domain->yperiodic && (y - radius > highest || y + radius < lowest)) continue;
-    for (const Sphere& sphere : spheres) look(sphere, atom->x[i], radius, atom->tag[i]);
+    near.visit(atom->x[i][0], radius,
+               [&](const Sphere& sphere) { look(sphere, atom->x[i], radius, atom->tag[i]); });
   }
-  for (std::size_t i = 0; i < spheres.size(); ++i)
-    for (std::size_t j = i + 1; j < spheres.size(); ++j)
-      if (spheres[i].place != spheres[j].place)
-        look(spheres[i], spheres[j].x, spheres[j].radius, 0);
+  for (const Sphere& sphere : spheres)
+    near.visit(sphere.x[0], sphere.radius, [&](const Sphere& other) {
+      if (&other > &sphere && other.place != sphere.place)
+        look(sphere, other.x, other.radius, 0);
+    });
 
   MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
   if (all.depth <= 0) return;

@@ -75,6 +75,7 @@ class FixInsertLine : public Fix {
   std::vector<Place> draw_line();
   void prepare(const Place& place) const;
   std::vector<Sphere> spheres_of(std::vector<Place>& line) const;
+  class SpheresAlongX;
   void check_overlaps(const std::vector<Place>& line, const std::vector<Sphere>& spheres) const;
   void create(const std::vector<Place>& line, const std::vector<Sphere>& spheres);
   bool mine(const double* x) const;
