@@ -24,7 +24,7 @@ for rods in $sizes; do
   rm -rf "${beds:?}/$rods"
   stdbuf -oL "$build/bin/liggghts" -in "$here/../../inputs/deposition/in.deposition" -var engine planar \
     -var particles "$rods" -var particles_per_line $((rods / 4)) -var width_in_lengths $((rods * 10 / 36)) \
-    -var container_height 0.06 -var timestep 2.2e-5 -var relaxation_ratio 1e-3 -var output_interval 100 \
+    -var container_height 0.1 -var timestep 2.2e-5 -var relaxation_ratio 1e-3 -var output_interval 100 \
     -var restart_interval 100 -var out "$beds/$rods" > "$rods.out" 2>&1 || { tail -3 "$rods.out"; exit 1; }
 done
 
