@@ -25,7 +25,9 @@ if [ ! -e "$out/result.json" ]; then
   sh -c 'taskset -c 1 stdbuf -oL "$0" "$@" >&2; times' "$build/bin/liggghts" \
     -in "$here/../../inputs/deposition/in.deposition" -var engine planar -var output_interval 10 \
     -var restart_interval 10 -var out "$out" > "$out.times"
-  awk 'NR == 2 { sub(/s/, "", $1); split($1, t, "m"); print 60 * t[1] + t[2] }' "$out.times" > "$out/seconds"
+  # user and system
+  awk 'NR == 2 { gsub(/s/, ""); split($1, u, "m"); split($2, s, "m"); print 60 * (u[1] + s[1]) + u[2] + s[2] }' \
+    "$out.times" > "$out/seconds"
 fi
 
 # The built-in's smallest median over its skins, ns per sphere and step.
