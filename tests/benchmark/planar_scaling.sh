@@ -28,7 +28,7 @@ sort -k1,1 -k2,2g "$times" | awk -v latency="${2:-2e-6}" -v bandwidth="${3:-1e9}
     ghost = (9e-9 * median("ranks_2") * 9000 - 4500 * rod) / ghosts["ranks_2"]
     message = bytes["ranks_2"] / ghosts["ranks_2"]
     density = 0.86 / 42e-6         # rods per m^2 in a bed of AR = 5
-    width = 4 * 7.5e-3 + 4 * 0.9e-3  # of the halo, m: reach of both, and twice the way
+    width = 2.5 * 7.5e-3 + 4 * 0.9e-3  # of the halo, m: reach of both, and twice the way
     printf "c = %.3g ns per rod, c_g = %.3g ns and b = %.3g bytes per ghost\n\n", 1e9 * rod, 1e9 * ghost, message
     print "| ranks | 1e6 rods | 1e7 rods | 1e8 rods |\n|---|---|---|---|"
     for (p = 1; p <= 65536; p *= 4)

@@ -77,11 +77,11 @@ sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_size.json" '
   }
   END {
     for (m in count) printf "%-14s %8.2f ns per sphere and step, spread %3.0f %%, %7.0f kB\n", m, median(m), 100 * spread(m), memory[m]
-    bytes = (memory["size_100000"] - memory["spheres_100000"]) * 1024 / spheres["size_100000"]
-    printf "memory beyond that of the sphere-level styles, 100000 rods: %.0f bytes per sphere\n", bytes
+    beyond = (memory["size_100000"] - memory["spheres_100000"]) * 1024 / spheres["size_100000"]
+    printf "memory beyond that of the sphere-level styles, 100000 rods: %.0f bytes per sphere\n", beyond
     print "[\n" pair("9000 rods, one rank over two", "ranks_1", "ranks_2") ",\n" \
           pair("rods 10000 over 1000", "size_10000", "size_1000") ",\n" \
           pair("rods 100000 over 1000", "size_100000", "size_1000") ",\n" \
           sprintf("  {\"name\": \"9000 rods, two ranks\", \"ghosts_per_rank\": %.4g, \"bytes_sent_per_rank_and_step\": %.4g},\n", ghosts["ranks_2"], bytes["ranks_2"]) \
-          sprintf("  {\"name\": \"memory beyond the sphere level, 100000 rods\", \"bytes_per_sphere\": %.0f}", bytes) "\n]" > file
+          sprintf("  {\"name\": \"memory beyond the sphere level, 100000 rods\", \"bytes_per_sphere\": %.0f}", beyond) "\n]" > file
   }'

@@ -268,7 +268,7 @@ TEST(PlanarRanks, ContactOfTwoRanksHasTheSameHistoryOnBothToTheLastBit) {
 // Two clouds of rods far apart fly against each other, or side by side and on: nobody is a ghost at
 // first, many are in the middle, and none at the end.
 TEST(PlanarRanks, GhostsComeAndGo) {
-  for (const double aside : {0.0, 0.08}) {
+  for (const double aside : {0.0, 0.07}) {
     std::vector<PlanarBody> clouds;
     for (int cloud = 0; cloud < 2; ++cloud)
       for (PlanarBody body : heap(12, 5)) {
