@@ -17,6 +17,10 @@ const int most_patience = 32, least_patience = 4;
 
 const int frame_values = 7, change_values = 11, record_values = 7;
 
+int record_length(int spheres) {
+  return record_values + frame_values + change_values + 3 * spheres;
+}
+
 double* put_frame(const PlanarFrame& frame, double* to) {
   const double values[frame_values] = {frame.x,          frame.y,           frame.cosine,
                                        frame.sine,       frame.velocity[0], frame.velocity[1],
@@ -61,16 +65,14 @@ struct Box {
 }  // namespace
 
 PlanarHalo::PlanarHalo(PlanarRanks& ranks, PlanarScene::Data& scene) : ranks_(ranks) {
-  double reach = 0.0;
   for (int b = 0; b < scene.owned; ++b) {
-    reach = std::max(reach, scene.listed[b].reach);
     const PlanarFrame& frame = scene.frames[b];
     begun_.push_back({frame.x, frame.y, frame.cosine, frame.sine});
   }
-  ranks_.largest(&reach, 1);
+  ranks_.largest(&scene.longest, 1);
   is_limited_ = std::min(scene.settings.farthest[0], scene.settings.farthest[1]) < 1e300;
   // Ghosts in reserve cost some 80 ns each in every step, those of a bed in a slab a tenth of it.
-  way_ = 0.25 * reach + 2.0 * scene.settings.max_skin;
+  way_ = 0.25 * scene.longest + 2.0 * scene.settings.max_skin;
   renew(scene);
 }
 
@@ -163,7 +165,7 @@ void PlanarHalo::renew(PlanarScene::Data& scene) {
     for (std::size_t at = 0; at < records[rank].size();) {
       const double* record = &records[rank][at];
       ghosts[rank].push_back(ghost_of_tag_.at(static_cast<int>(record[0])));
-      at += record_values + frame_values + change_values + 3 * static_cast<int>(record[5]);
+      at += record_length(static_cast<int>(record[5]));
     }
   connect(chosen, ghosts);
 }
@@ -195,7 +197,7 @@ std::vector<std::vector<double>> PlanarHalo::choose(PlanarScene::Data& scene,
       if (!box.is_near(scene.frames[b], scene.listed[b].reach + box.reach + 2.0 * way_)) continue;
       chosen[rank].push_back(b);
       const std::size_t at = to.size();
-      to.resize(at + record_values + frame_values + change_values + 3 * info.count);
+      to.resize(at + record_length(info.count));
       const bool jumped = scene.events.jumped(b);
       const double constants[record_values] = {static_cast<double>(scene.tags[b]),
                                                static_cast<double>(info.type),
@@ -229,7 +231,7 @@ void PlanarHalo::receive(PlanarScene::Data& scene,
   for (const std::vector<double>& of_rank : records)
     for (std::size_t at = 0; at < of_rank.size();) {
       all.push_back({static_cast<int>(of_rank[at]), &of_rank[at]});
-      at += record_values + frame_values + change_values + 3 * static_cast<int>(of_rank[at + 5]);
+      at += record_length(static_cast<int>(of_rank[at + 5]));
     }
 
   std::unordered_map<int, int> before;
@@ -274,12 +276,7 @@ void PlanarHalo::receive(PlanarScene::Data& scene,
     info.mass = values[2];
     info.moment = values[3];
     info.radius = frame.radius = values[4];
-    double& reach = scene.listed[ghost].reach;
-    reach = 0.0;
-    for (int k = 0; k < info.count; ++k) {
-      const PlanarSphere& sphere = scene.spheres[info.first + k];
-      reach = std::max(reach, std::hypot(sphere.x, sphere.y) + info.radius);
-    }
+    scene.set_reach(ghost);
     scene.mark_listed(ghost);
     if (!scene.lists_exist) continue;
     scene.grid.add(ghost, frame.x, frame.y);

@@ -169,12 +169,8 @@ void PlanarScene::Data::mark_listed(int body) {
 
 void PlanarScene::Data::list_all() {
   const int count = static_cast<int>(info.size());
-  double reach = 0.0;
-  for (int k = 0; k < count; ++k) {
-    mark_listed(k);
-    reach = std::max(reach, listed[k].reach);
-  }
-  grid.build(listed, 2.0 * (reach + settings.max_skin));
+  for (int k = 0; k < count; ++k) mark_listed(k);
+  grid.build(listed, 2.0 * (longest + settings.max_skin));
   lists_exist = true;
   for (int k = 0; k < count; ++k) list(k);
   sort_blocks();

@@ -83,9 +83,9 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     of.radius = body.radius;
     of.first = static_cast<int>(spheres.size());
     of.count = static_cast<int>(body.spheres.size());
-    for (const PlanarSphere& sphere : body.spheres)
-      listed[b].reach = std::max(listed[b].reach, std::hypot(sphere.x, sphere.y) + body.radius);
     spheres.insert(spheres.end(), body.spheres.begin(), body.spheres.end());
+    set_reach(static_cast<int>(b));
+    longest = std::max(longest, listed[b].reach);
     frames[b] = {body.position[0],
                  body.position[1],
                  body.cosine,
@@ -130,6 +130,14 @@ void PlanarScene::Data::resize(int bodies) {
   pairs.resize(bodies);
   at_walls.resize(bodies);
   events.resize(bodies);
+}
+
+void PlanarScene::Data::set_reach(int body) {
+  const PlanarBodyInfo& of = info[body];
+  double& reach = listed[body].reach;
+  reach = 0.0;
+  for (int k = of.first; k < of.first + of.count; ++k)
+    reach = std::max(reach, std::hypot(spheres[k].x, spheres[k].y) + of.radius);
 }
 
 void PlanarScene::Data::make_missed_motion(int body) {

@@ -135,10 +135,10 @@ class PlanarScene {
   int sphere_tag(int body, int sphere) const;
 
   struct Statistics {
-    long steps, listings;       // steps, and listings of single bodies
-    long evaluations, general;  // sphere pairs in contact, and those on the general path
-    long ghosts, sent;          // of all steps: ghosts brought to it, and bytes sent for that
-    int blocks;                 // of candidate pairs at present
+    long steps, listings;  // steps, and listings of single bodies
+    long general;          // of all steps: sphere pairs in contact on the general path
+    long ghosts, sent;     // of all steps: ghosts brought to it, and bytes sent for that
+    int blocks;            // of candidate pairs at present
   };
   Statistics statistics() const;
 

@@ -66,6 +66,7 @@ struct PlanarScene::Data {
   void fill_past(int body);
   void apply_events();
   void begin_forces();
+  void set_reach(int body);
   void resize(int bodies);
   /// Whether i is the first of the two in a block, on every rank.
   bool comes_first(int i, int j) const { return tags[i] < tags[j]; }
@@ -96,6 +97,7 @@ struct PlanarScene::Data {
   int slots;         // tangential velocities that a contact keeps
   double now = 0.0;  // number of the step that is evaluated
   bool lists_exist = false;
+  double longest = 0.0;  // reach of all bodies, of other ranks too
   int owned = 0;  // bodies of this rank; ghosts follow them
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
