@@ -7,6 +7,7 @@ FixStyle(wall/gran/solid,FixWallGranSolid)
 #ifndef LMP_FIX_WALL_GRAN_SOLID_H
 #define LMP_FIX_WALL_GRAN_SOLID_H
 
+#include <string>
 #include <vector>
 #include "fix_wall_gran.h"
 

@@ -44,14 +44,7 @@ while [ $round -lt "$rounds" ]; do
   fi
   round=$((round + 1))
 done
-sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_peers.json" '
-  { value[$1, ++count[$1]] = $2 }
-  function median(m) { return value[m, int((count[m] + 1) / 2)] }
-  function spread(m) { return value[m, count[m]] / value[m, 1] - 1 }
-  function pair(name, a, b) {
-    return sprintf("  {\"name\": \"%s\", \"ratio\": %.3g, \"medians_ns_per_sphere_and_step\": [%.4g, %.4g], \"spread\": [%.2g, %.2g]}",
-                   name, median(a) / median(b), median(a), median(b), spread(a), spread(b))
-  }
+sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_peers.json" "$(cat "$here/medians.awk")"'
   END {
     for (m in count) {
       printf "%-12s %8.2f ns per sphere and step, spread %3.0f %%\n", m, median(m), 100 * spread(m)

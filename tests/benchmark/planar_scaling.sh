@@ -8,10 +8,10 @@
 # LATENCY of a message, s, and BANDWIDTH per rank, bytes/s: assumptions, 2e-6 and 1e9 (a fast network shared
 # by the ranks of a node).
 set -eu
+here=$(cd "$(dirname "$0")" && pwd)
 times=$(cd "$1" && pwd)/benchmark/planar_size/times.txt
-sort -k1,1 -k2,2g "$times" | awk -v latency="${2:-2e-6}" -v bandwidth="${3:-1e9}" '
-  { value[$1, ++count[$1]] = $2; ghosts[$1] = $5; bytes[$1] = $6 }
-  function median(m) { return value[m, int((count[m] + 1) / 2)] }
+sort -k1,1 -k2,2g "$times" | awk -v latency="${2:-2e-6}" -v bandwidth="${3:-1e9}" "$(cat "$here/medians.awk")"'
+  { ghosts[$1] = $5; bytes[$1] = $6 }
   # of a square subdomain with n rods: those in a frame of the halo width around it
   function frame(n) { return 4 * width * sqrt(n * density) + 4 * width * width * density }
   function step_time(n, p,    g, neighbours) {

@@ -67,14 +67,8 @@ while [ $round -lt "$rounds" ]; do
 done
 echo "spheres_100000 $(steps 1 "$beds/100000/restart/deposition.end.restart" "$(width 100000)" spheres 20)" >> times.txt
 
-sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_size.json" '
-  { value[$1, ++count[$1]] = $2; if ($3 > memory[$1]) memory[$1] = $3; spheres[$1] = $4; ghosts[$1] = $5; bytes[$1] = $6 }
-  function median(m) { return value[m, int((count[m] + 1) / 2)] }
-  function spread(m) { return value[m, count[m]] / value[m, 1] - 1 }
-  function pair(name, a, b) {
-    return sprintf("  {\"name\": \"%s\", \"ratio\": %.3g, \"medians_ns_per_sphere_and_step\": [%.4g, %.4g], \"spread\": [%.2g, %.2g]}",
-                   name, median(a) / median(b), median(a), median(b), spread(a), spread(b))
-  }
+sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_size.json" "$(cat "$here/medians.awk")"'
+  { if ($3 > memory[$1]) memory[$1] = $3; spheres[$1] = $4; ghosts[$1] = $5; bytes[$1] = $6 }
   END {
     for (m in count) printf "%-14s %8.2f ns per sphere and step, spread %3.0f %%, %7.0f kB\n", m, median(m), 100 * spread(m), memory[m]
     beyond = (memory["size_100000"] - memory["spheres_100000"]) * 1024 / spheres["size_100000"]
