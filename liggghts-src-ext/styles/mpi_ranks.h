@@ -3,6 +3,7 @@
 #define RODPACK_MPI_RANKS_H
 
 #include <mpi.h>
+#include <utility>
 #include <vector>
 #include "rodpack/planar_ranks.h"
 
@@ -11,9 +12,13 @@ namespace LAMMPS_NS {
 /// to[r] goes to rank r; returns what comes, in the order of the ranks. `starts`: where that of
 /// each rank begins, and the end. Collective.
 template <class Record>
-std::vector<Record> exchange_records(MPI_Comm world, const std::vector<std::vector<Record> >& to,
+std::vector<Record> exchange_records(MPI_Comm world, std::vector<std::vector<Record> > to,
                                      std::vector<size_t>* starts = NULL) {
   const int ranks = static_cast<int>(to.size());
+  if (ranks == 1) {
+    if (starts) *starts = {0, to[0].size()};
+    return std::move(to[0]);
+  }
   std::vector<int> out(ranks), in(ranks), out_starts(ranks + 1, 0), in_starts(ranks + 1, 0);
   for (int r = 0; r < ranks; ++r) out[r] = static_cast<int>(to[r].size());
   MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, world);

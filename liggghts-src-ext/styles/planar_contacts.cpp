@@ -253,7 +253,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
       send(contact, i);
     }
-  return exchange_records(world, contacts);
+  return exchange_records(world, std::move(contacts));
 }
 
 int PlanarContacts::local_atom(int tag) const {

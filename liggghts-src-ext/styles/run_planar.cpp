@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "run_planar.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "atom.h"
 #include "comm.h"
@@ -19,6 +24,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
+#include "rodpack/order_by_place.h"
 #include "rodpack/planar_scene.h"
 #include "signal_handling.h"
 #include "timer.h"
@@ -51,6 +57,15 @@ int every_step() {
          FixConst::FINAL_INTEGRATE | FixConst::ITERATE_IMPLICITLY;
 }
 
+/// The engine's memory is freed at each look and wanted again in the next step: the way to the
+/// system and back would cost more than all else there.
+void keep_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
+
 struct GravityAccess : FixGravity {
   static bool varies(FixGravity* gravity) { return gravity->*(&GravityAccess::varflag) != 0; }
 };
@@ -60,6 +75,7 @@ struct GravityAccess : FixGravity {
 RunPlanar::RunPlanar(LAMMPS* lmp, int narg, char** arg)
     : Verlet(lmp, narg, arg), min_skin_(0.0), max_skin_(0.0), contacts_(lmp), owners_(lmp) {
   read_options(narg, arg);
+  keep_memory();
   if (comm->me != 0) return;
   const std::string line = std::string("run_style verlet/planar: processor instructions ") +
                            rodpack::name_of(rodpack::chosen(instructions_)) + "\n";
@@ -239,14 +255,19 @@ void RunPlanar::run_engine(bigint steps) {
   timer->stamp(TIME_COMM);
 }
 
-/// The bodies of this rank in the order of their tags, which a restart keeps, and their atoms.
+/// The bodies of this rank in an order of their places and tags, which a restart keeps, and their
+/// atoms.
 void RunPlanar::find_bodies() {
   owners_.renew(*bodies_);
   const int bodies = bodies_->n_body();
-  order_.resize(bodies);
-  for (int body = 0; body < bodies; ++body) order_[body] = body;
   const auto tag_of = [&](int body) { return bodies_->data().tag(body); };
-  std::sort(order_.begin(), order_.end(), [&](int a, int b) { return tag_of(a) < tag_of(b); });
+  std::vector<rodpack::TaggedPlace> places;
+  for (int body = 0; body < bodies; ++body) {
+    double x[3];
+    bodies_->data().xcm(x, body);
+    places.push_back({x[0], x[1], tag_of(body)});
+  }
+  order_ = rodpack::order_by_place(places);
   std::vector<int> place(bodies);
   for (int k = 0; k < bodies; ++k) place[order_[k]] = k;
   atoms_.assign(bodies, std::vector<int>());
@@ -325,11 +346,14 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
   struct Place {
     int tag, body, sphere;
   };
-  std::vector<Place> places;
-  for (int body = 0; body < scene_->size_with_ghosts(); ++body)
-    for (int sphere = 0; sphere < scene_->spheres(body); ++sphere)
-      places.push_back({scene_->sphere_tag(body, sphere), body, sphere});
   const auto before = [](const Place& a, const Place& b) { return a.tag < b.tag; };
+  std::vector<Place> first, places;  // spheres of each body; of all
+  for (int body = 0; body < scene_->size_with_ghosts(); ++body)
+    if (scene_->spheres(body) > 0) first.push_back({scene_->sphere_tag(body, 0), body, 0});
+  std::sort(first.begin(), first.end(), before);
+  for (const Place& at : first)
+    for (int sphere = 0; sphere < scene_->spheres(at.body); ++sphere)
+      places.push_back({scene_->sphere_tag(at.body, sphere), at.body, sphere});
   if (!std::is_sorted(places.begin(), places.end(), before))
     std::sort(places.begin(), places.end(), before);
   const auto place_of = [&](int tag) -> const Place& {
@@ -384,7 +408,7 @@ std::vector<PlanarContactRecord> RunPlanar::contacts_of_atoms() const {
     send(contact.body_j, contact.sphere_j, scene_->sphere_tag(contact.body_i, contact.sphere_i),
          -1.0);
   }
-  return exchange_records(world, records);
+  return exchange_records(world, std::move(records));
 }
 
 /// As in a step of Verlet, between pre_exchange() of the fixes and the forces.

@@ -63,7 +63,7 @@ class RunPlanar : public Verlet {
   class FixGravity* gravity_ = NULL;
   PlanarContacts contacts_;
   PlanarOwners owners_;
-  std::vector<int> order_;                // bodies of this rank by their tags: that of the scene
+  std::vector<int> order_;                // bodies of this rank in the order of the scene
   std::vector<std::vector<int> > atoms_;  // of each of them by their tags, ghosts among them
   std::unique_ptr<MpiRanks> ranks_;
   std::unique_ptr<rodpack::PlanarScene> scene_;

@@ -70,9 +70,9 @@ void PlanarGrid::unlink(int body) {
 
 void PlanarBlockPool::reorder(const std::vector<int>& order, int touching) {
   touching_ = touching;
-  const AlignedVector<PlanarBlockHead> old_heads(heads);
-  const AlignedVector<double> old_values(all_values);
-  const std::vector<PlanarBlockBirth> old_births(births);
+  heads.swap(spare_heads_);
+  all_values.swap(spare_values_);
+  births.swap(spare_births_);
   for (std::vector<int>& list : of_body_) list.clear();
   const int filled = static_cast<int>(order.size());
   heads.resize(filled);
@@ -80,9 +80,9 @@ void PlanarBlockPool::reorder(const std::vector<int>& order, int touching) {
   births.resize(filled);
   holes_.clear();
   for (int k = 0; k < filled; ++k) {
-    heads[k] = old_heads[order[k]];
-    std::copy_n(&old_values[static_cast<std::size_t>(order[k]) * stride()], stride(), values(k));
-    births[k] = old_births[order[k]];
+    heads[k] = spare_heads_[order[k]];
+    std::copy_n(&spare_values_[static_cast<std::size_t>(order[k]) * stride()], stride(), values(k));
+    births[k] = spare_births_[order[k]];
     of_body_[heads[k].i].push_back(k);
     if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
   }

@@ -243,9 +243,11 @@ PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<Plana
   validate(settings, bodies);
   data_.reset(new Data(settings, bodies));
   if (!ranks || ranks->count() == 1) return;
+  std::vector<int> tags(data_->tags);
+  std::sort(tags.begin(), tags.end());
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    require(bodies[k].tag > (k == 0 ? -1 : bodies[k - 1].tag), "tag of a body", bodies[k].tag,
-            "tags >= 0 that grow from one to the next");
+    require(bodies[k].tag >= 0 && (k == 0 || tags[k] != tags[k - 1]), "tag of a body", tags[k],
+            "tags >= 0, each once");
   data_->halo.reset(new PlanarHalo(*ranks, *data_));
 }
 

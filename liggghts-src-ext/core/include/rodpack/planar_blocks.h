@@ -134,6 +134,10 @@ class PlanarBlockPool {
   std::vector<std::vector<int>> of_body_;
   std::vector<int> holes_;
   int newest_ = 0, touching_ = 0;
+  // Room for reorder(), kept: memory that the system gives anew costs more than the sorting.
+  AlignedVector<PlanarBlockHead> spare_heads_;
+  AlignedVector<double> spare_values_;
+  std::vector<PlanarBlockBirth> spare_births_;
 };
 
 }  // namespace rodpack

@@ -108,7 +108,8 @@ struct PlanarContactState {
 class PlanarScene {
  public:
   /// With `ranks`, which have to outlive it: the part of one rank, collective as evaluate() and
-  /// run() then are. Each body is given to one rank, with a tag, in the order of the tags.
+  /// run() then are; each body is given to one rank, with a tag. Runs fastest if bodies that are
+  /// near each other are near in `bodies` too (order_by_place()).
   /// @throws std::invalid_argument naming a value that is out of range.
   PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
               PlanarRanks* ranks = nullptr);
