@@ -20,7 +20,7 @@ PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
   forces.values = pool.all_values.data();
   forces.count = pool.size();
   forces.touching = pool.touching();
-  forces.stride = pool.stride();
+  forces.rows = pool.rows();
   forces.newest = pool.velocity(0, true);
   forces.frames = frames.data();
   forces.moved = moved.data();
@@ -28,7 +28,7 @@ PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
   forces.jumped = events.jumped();
   forces.laws = laws.data();
   forces.one_law = laws.size() == 1;
-  forces.walls = settings.walls.data();
+  forces.walls = wall_lines.data();
   forces.order = settings.order;
   const MultistepWeights& weights = adams_bashforth_weights(settings.order);
   for (int k = 0; k < settings.order; ++k) {

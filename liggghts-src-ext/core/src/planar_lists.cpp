@@ -74,15 +74,16 @@ void PlanarBlockPool::reorder(const std::vector<int>& order, int touching) {
   all_values.swap(spare_values_);
   births.swap(spare_births_);
   for (std::vector<int>& list : of_body_) list.clear();
-  const int filled = static_cast<int>(order.size());
-  heads.resize(filled);
-  all_values.resize(static_cast<std::size_t>(filled) * stride());
-  births.resize(filled);
   holes_.clear();
+  const int filled = static_cast<int>(order.size());
+  resize_blocks(filled, filled);
   for (int k = 0; k < filled; ++k) {
     heads[k] = spare_heads_[order[k]];
-    std::copy_n(&spare_values_[static_cast<std::size_t>(order[k]) * stride()], stride(), values(k));
     births[k] = spare_births_[order[k]];
+    const double* const from = &spare_values_[values_place(order[k])];
+    double* const to = values(k);
+    for (int row = 0; row < rows(); ++row)
+      std::copy_n(from + row * planar_row, planar_lanes, to + row * planar_row);
     of_body_[heads[k].i].push_back(k);
     if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
   }

@@ -57,8 +57,8 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     : settings(given),
       slots(std::max(given.order, given.remembered)),
       kernel(planar_kernel(given.instructions)),
-      pairs(static_cast<int>(bodies.size()), slots),
-      at_walls(static_cast<int>(bodies.size()), slots),
+      pairs(static_cast<int>(bodies.size()), slots, 0),
+      at_walls(static_cast<int>(bodies.size()), slots, -1),
       events(static_cast<int>(bodies.size())),
       follows(given.events && given.order > 1) {
   const std::size_t count = bodies.size();
@@ -70,6 +70,9 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     past_velocity[k].assign(count, PlanarVector());
     past_acceleration[k].assign(count, PlanarVector());
   }
+  for (const PlanarWall& wall : settings.walls)
+    wall_lines.push_back({wall.axis == 0 ? 1.0 : 0.0, wall.axis == 1 ? 1.0 : 0.0, wall.position,
+                          static_cast<double>(wall.free_side)});
   for (const PlanarLaw& law : settings.laws)
     laws.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
   evaluations.resize(count);

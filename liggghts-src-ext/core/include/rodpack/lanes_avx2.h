@@ -46,23 +46,14 @@ inline void transpose_lanes(Lanes (&rows)[4]) {
   rows[3] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x31);
 }
 
-/// Two values for block b, from of[b] + index.
-inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
-  return (Lanes)_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + index)),
-                                     _mm_load_pd(of[1] + index), 1);
-}
 /// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
 /// block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
-  const __m256d both = (__m256d)lanes_of(of, index);
+  const __m256d both = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + index)),
+                                            _mm_load_pd(of[1] + index), 1);
   first = (Lanes)_mm256_movedup_pd(both);
   second = (Lanes)_mm256_permute_pd(both, 0b1111);
-}
-inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
-  const __m256d kept = (__m256d)lane_choice(where, x, lanes_of(of, index));
-  _mm_store_pd(of[1] + index, _mm256_extractf128_pd(kept, 1));
-  _mm_store_pd(of[0] + index, _mm256_castpd256_pd128(kept));
 }
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.

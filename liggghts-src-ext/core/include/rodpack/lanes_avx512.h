@@ -21,6 +21,8 @@ inline LaneMask operator^(LaneMask a, LaneMask b) {
 inline LaneMask operator~(LaneMask a) { return {static_cast<__mmask8>(~a.bits)}; }
 inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
 
+inline Lanes load_lanes(const double* values) { return *reinterpret_cast<const Lanes*>(values); }
+inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<Lanes*>(values) = x; }
 inline Lanes all_lanes(double x) { return (Lanes)_mm512_set1_pd(x); }
 /// The root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
@@ -40,28 +42,16 @@ inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
 inline int lane_bits(LaneMask mask) { return mask.bits; }
 inline LaneMask lanes_of_bits(int bits) { return {static_cast<__mmask8>(bits)}; }
 
-/// Two values for block b, from of[b] + index.
-inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
-  __m512d all = _mm512_broadcast_f64x2(_mm_load_pd(of[0] + index));
-  all = _mm512_mask_broadcast_f64x2(all, 0x0c, _mm_load_pd(of[1] + index));
-  all = _mm512_mask_broadcast_f64x2(all, 0x30, _mm_load_pd(of[2] + index));
-  return (Lanes)_mm512_mask_broadcast_f64x2(all, 0xc0, _mm_load_pd(of[3] + index));
-}
 /// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
 /// block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
-  const __m512d both = (__m512d)lanes_of(of, index);
+  __m512d both = _mm512_broadcast_f64x2(_mm_load_pd(of[0] + index));
+  both = _mm512_mask_broadcast_f64x2(both, 0x0c, _mm_load_pd(of[1] + index));
+  both = _mm512_mask_broadcast_f64x2(both, 0x30, _mm_load_pd(of[2] + index));
+  both = _mm512_mask_broadcast_f64x2(both, 0xc0, _mm_load_pd(of[3] + index));
   first = (Lanes)_mm512_movedup_pd(both);
   second = (Lanes)_mm512_permute_pd(both, 0xff);
-}
-// Whole stores: stores under a mask are slow on some processors.
-inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
-  const __m512d kept = (__m512d)lane_choice(where, x, lanes_of(of, index));
-  _mm_store_pd(of[3] + index, _mm512_extractf64x2_pd(kept, 3));
-  _mm_store_pd(of[2] + index, _mm512_extractf64x2_pd(kept, 2));
-  _mm_store_pd(of[1] + index, _mm512_extractf64x2_pd(kept, 1));
-  _mm_store_pd(of[0] + index, _mm512_castpd512_pd128(kept));
 }
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.

@@ -101,16 +101,6 @@ inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& f
   first = {of[0][index], of[0][index], of[1][index], of[1][index]};
   second = {of[0][index + 1], of[0][index + 1], of[1][index + 1], of[1][index + 1]};
 }
-/// Two values for block b, from of[b] + index.
-inline Lanes lanes_of(const double* const (&of)[lane_blocks], int index) {
-  return {*reinterpret_cast<const HalfLanes*>(of[0] + index),
-          *reinterpret_cast<const HalfLanes*>(of[1] + index)};
-}
-inline void keep_lanes(LaneMask where, double* const (&of)[lane_blocks], int index, Lanes x) {
-  const Lanes kept = lane_choice(where, x, lanes_of(of, index));
-  *reinterpret_cast<HalfLanes*>(of[1] + index) = kept.high;
-  *reinterpret_cast<HalfLanes*>(of[0] + index) = kept.low;
-}
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.
 inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],

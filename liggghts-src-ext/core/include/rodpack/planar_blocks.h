@@ -14,6 +14,8 @@
 namespace rodpack {
 
 constexpr int planar_lanes = 2;
+constexpr int planar_group = 4;  // blocks whose values lie side by side, as many as a kernel takes
+constexpr int planar_row = planar_group * planar_lanes;
 
 /// Up to two sphere pairs of two bodies that may touch before one of the two is listed anew; the
 /// second may be a wall. What tells whether anything happens in a block:
@@ -26,18 +28,19 @@ struct alignas(16) PlanarBlockHead {
   std::uint8_t used, alive, mature, sliding;
 };
 
-/// Places of what is known about the lanes of a block in its values, each for all lanes.
+/// Places of what is known about the lanes of a block in its values, each for all lanes: rows, which
+/// the blocks of a group share.
 enum PlanarBlockValue {
   // centres of the spheres in the frames of their bodies, m; unused lanes repeat the first
   planar_xi = 0,
-  planar_yi = planar_lanes,
-  planar_xj = 2 * planar_lanes,
-  planar_yj = 3 * planar_lanes,
+  planar_yi = planar_row,
+  planar_xj = 2 * planar_row,
+  planar_yj = 3 * planar_row,
   // what a contact remembers: spring (m), force before the cut at 0 (N), and `slots` tangential
   // velocities (m/s), a ring that turns by one in each step
-  planar_spring = 4 * planar_lanes,
-  planar_uncut = 5 * planar_lanes,
-  planar_velocities = 6 * planar_lanes
+  planar_spring = 4 * planar_row,
+  planar_uncut = 5 * planar_row,
+  planar_velocities = 6 * planar_row
 };
 
 /// Constants of the contacts of two types. friction: mu k_n, N/m.
@@ -53,12 +56,16 @@ struct PlanarBlockBirth {
   bool fresh[planar_lanes];
 };
 
-/// Blocks in arrays, and the list of them for each body. Blocks that were removed leave holes,
-/// which new ones fill: nothing is alive in them, their gap is endless, and the spheres that they
-/// name do not coincide, so that their distance has an inverse.
+/// Blocks in groups, and the list of them for each body. Places that no block has are holes, which
+/// new ones fill: nothing is alive in them, their gap is endless, they name a body or wall that is
+/// there, and the spheres that they name do not coincide, so that their distance has an inverse.
 class PlanarBlockPool {
  public:
-  PlanarBlockPool(int bodies, int slots) : slots(slots), of_body_(bodies) {}
+  /// hole_j: of the holes, 0 or, if the blocks are of walls, -1.
+  PlanarBlockPool(int bodies, int slots, int hole_j) : slots(slots), of_body_(bodies) {
+    hole_.j = hole_j;
+    hole_.gap = std::numeric_limits<double>::infinity();
+  }
 
   void resize(int bodies) { of_body_.resize(bodies); }
   int size() const { return static_cast<int>(heads.size()); }  // with holes
@@ -67,17 +74,11 @@ class PlanarBlockPool {
 
   /// The values of a new block are 0, or those of a removed one.
   int add(const PlanarBlockHead& head, const PlanarBlockBirth& birth) {
-    int place = size();
-    if (holes_.empty()) {
-      heads.push_back(head);
-      all_values.resize(all_values.size() + stride());
-      births.push_back(birth);
-    } else {
-      place = holes_.back();
-      holes_.pop_back();
-      heads[place] = head;
-      births[place] = birth;
-    }
+    if (holes_.empty()) resize_blocks(size(), size() + 1);
+    const int place = holes_.back();
+    holes_.pop_back();
+    heads[place] = head;
+    births[place] = birth;
     of_body_[head.i].push_back(place);
     if (head.j >= 0) of_body_[head.j].push_back(place);
     return place;
@@ -85,35 +86,28 @@ class PlanarBlockPool {
 
   void remove_all_of(int body) {
     for (const int place : of_body_[body]) {
-      PlanarBlockHead& head = heads[place];
+      const PlanarBlockHead& head = heads[place];
       const int other = head.i == body ? head.j : head.i;
       if (other >= 0) forget(other, place);
-      head = PlanarBlockHead();
-      head.gap = std::numeric_limits<double>::infinity();
-      std::fill_n(values(place) + planar_xi, planar_lanes, 1.0);
-      std::fill_n(values(place) + planar_yi, 3 * planar_lanes, 0.0);
-      holes_.push_back(place);
+      make_hole(place);
     }
     of_body_[body].clear();
   }
 
-  /// Puts the blocks in the given order, without holes: order[k] is the present place of the k-th.
-  /// The first `touching` of them may go on to touch.
+  /// Puts the blocks in the given order, without holes but for the last group: order[k] is the
+  /// present place of the k-th. The first `touching` of them may go on to touch.
   void reorder(const std::vector<int>& order, int touching);
   int touching() const { return std::min(touching_, size()); }
 
   /// Place of the velocities k steps back in the values; `turned`: as after the next turn.
   int velocity(int k, bool turned = false) const {
-    return planar_velocities + (newest_ + (turned ? slots - 1 : 0) + k) % slots * planar_lanes;
+    return planar_velocities + (newest_ + (turned ? slots - 1 : 0) + k) % slots * planar_row;
   }
   void turn() { newest_ = (newest_ + slots - 1) % slots; }
-  int stride() const { return planar_velocities + slots * planar_lanes; }
-  double* values(int place) {
-    return all_values.data() + static_cast<std::size_t>(place) * stride();
-  }
-  const double* values(int place) const {
-    return all_values.data() + static_cast<std::size_t>(place) * stride();
-  }
+  int rows() const { return planar_velocities / planar_row + slots; }
+  /// Of the first lane of the first row.
+  double* values(int place) { return all_values.data() + values_place(place); }
+  const double* values(int place) const { return all_values.data() + values_place(place); }
 
   const int slots;
   AlignedVector<PlanarBlockHead> heads;
@@ -121,6 +115,28 @@ class PlanarBlockPool {
   std::vector<PlanarBlockBirth> births;
 
  private:
+  std::size_t values_place(int place) const {
+    const std::size_t group = place / planar_group;
+    return group * rows() * planar_row + place % planar_group * planar_lanes;
+  }
+
+  /// Room for `blocks` of them in whole groups; places from `filled` on become holes.
+  void resize_blocks(int filled, int blocks) {
+    const int groups = (blocks + planar_group - 1) / planar_group;
+    heads.resize(groups * planar_group);
+    all_values.resize(static_cast<std::size_t>(groups) * rows() * planar_row);
+    births.resize(groups * planar_group);
+    for (int place = size() - 1; place >= filled; --place) make_hole(place);
+  }
+
+  void make_hole(int place) {
+    heads[place] = hole_;
+    double* const of_place = values(place);
+    std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
+    for (int row : {planar_yi, planar_xj, planar_yj}) std::fill_n(of_place + row, planar_lanes, 0.0);
+    holes_.push_back(place);
+  }
+
   void forget(int body, int place) {
     std::vector<int>& list = of_body_[body];
     for (int& entry : list) {
@@ -131,6 +147,7 @@ class PlanarBlockPool {
     }
   }
 
+  PlanarBlockHead hole_ = PlanarBlockHead();
   std::vector<std::vector<int>> of_body_;
   std::vector<int> holes_;
   int newest_ = 0, touching_ = 0;

@@ -21,12 +21,17 @@ struct PlanarGeneral {
   int place, lanes;  // bit per lane
 };
 
+/// A wall: those (x, y) at which x along_x + y along_y is its position; free_side as in PlanarWall.
+struct PlanarWallLine {
+  double along_x, along_y, position, free_side;
+};
+
 /// Blocks, and what their contacts need. Those on the short way are evaluated.
 struct PlanarForces {
   // blocks
   PlanarBlockHead* heads;
   double* values;
-  int count, stride;                  // stride: of the values of a block
+  int count, rows;                    // whole groups
   int touching;                       // blocks in front that are not worth a look at their gap
   int velocity[max_multistep_order];  // places of those k + 1 steps back in them
   int newest;                         // of that of now
@@ -38,7 +43,7 @@ struct PlanarForces {
   // law
   const PlanarLawConstants* laws;
   bool one_law;
-  const PlanarWall* walls;
+  const PlanarWallLine* walls;
   int order;
   double spring_weights[max_multistep_order];  // times dt
   bool follows;                                // events

@@ -10,8 +10,18 @@
 constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
 
 /// The same of each block.
-typedef double* const BlockValues[lane_blocks];
 typedef const double* const BlockConstants[lane_blocks];
+
+/// Values of the blocks from `first` on, which is a multiple of lane_blocks.
+inline double* values_of(const PlanarForces& forces, int first) {
+  const long group = first / planar_group;
+  return forces.values + group * forces.rows * planar_row + first % planar_group * planar_lanes;
+}
+
+// Whole stores: stores under a mask are slow on some processors.
+inline void keep_lanes(LaneMask where, double* place, Lanes x) {
+  store_lanes(place, lane_choice(where, x, load_lanes(place)));
+}
 
 /// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the short way.
 struct LaneForces {
@@ -21,11 +31,11 @@ struct LaneForces {
 
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
 /// step. `sliding`: lanes that slid; becomes those that do.
-inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], BlockValues& values,
-                                 Lanes overlap, Lanes vn, Lanes vt, int lasting, int& sliding,
+inline LaneForces lasting_forces(const PlanarBlockHead* heads, double* values, Lanes overlap,
+                                 Lanes vn, Lanes vt, int lasting, int& sliding,
                                  const PlanarForces& forces) {
   const double* gammas[lane_blocks];
-  for (int b = 0; b < lane_blocks; ++b) gammas[b] = heads[b]->gamma;
+  for (int b = 0; b < lane_blocks; ++b) gammas[b] = heads[b].gamma;
   const Lanes zero = all_lanes(0.0);
   Lanes gamma_n, gamma_t;
   each_two(gammas, 0, gamma_n, gamma_t);
@@ -35,16 +45,16 @@ inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], B
   if (!forces.one_law) {
     const double* laws[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b)
-      laws[b] = reinterpret_cast<const double*>(&forces.laws[heads[b]->law]);
+      laws[b] = reinterpret_cast<const double*>(&forces.laws[heads[b].law]);
     each_two(laws, 0, kn, kt);
     each_two(laws, 2, inverse_kt, friction);
   }
 
   const Lanes uncut = kn * overlap - gamma_n * vn;
-  const Lanes spring_before = lanes_of(values, planar_spring);
+  const Lanes spring_before = load_lanes(values + planar_spring);
   Lanes spring = spring_before;
   for (int k = 0; k < forces.order; ++k)
-    spring += forces.spring_weights[k] * lanes_of(values, forces.velocity[k]);
+    spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
   const Lanes trial = -(kt * spring + gamma_t * vt);
   const Lanes cap = friction * overlap;
   const LaneMask negative = lane_less(trial, zero);
@@ -55,7 +65,7 @@ inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], B
   LaneForces result;
   result.general = 0;
   if (forces.follows) {
-    const LaneMask pushed = lane_less(zero, lanes_of(values, planar_uncut));
+    const LaneMask pushed = lane_less(zero, load_lanes(values + planar_uncut));
     LaneMask changes = pushes ^ pushed;
     // Sliding goes on while the velocity keeps the direction of the spring.
     const LaneMask slid = lanes_of_bits(sliding), with_dashpot = lane_less(zero, gamma_t);
@@ -70,9 +80,9 @@ inline LaneForces lasting_forces(PlanarBlockHead* const (&heads)[lane_blocks], B
   result.normal = lane_choice(acts & pushes, uncut, zero);
   result.tangential = lane_choice(acts, tangential, zero);
   spring = lane_choice(slides, -limited * inverse_kt, spring);
-  keep_lanes(acts, values, planar_spring, spring);
-  keep_lanes(acts, values, planar_uncut, uncut);
-  keep_lanes(acts, values, forces.newest, vt);
+  keep_lanes(acts, values + planar_spring, spring);
+  keep_lanes(acts, values + planar_uncut, uncut);
+  keep_lanes(acts, values + forces.newest, vt);
   sliding = lane_bits(lane_choice(acts, slides, lanes_of_bits(sliding)));
   return result;
 }
@@ -85,8 +95,8 @@ struct Arms {
   Lanes x, y;
 };
 
-inline Arms arms_of(BlockValues& values, int x, int y, BlockConstants& frame) {
-  const Lanes bx = lanes_of(values, x), by = lanes_of(values, y);
+inline Arms arms_of(const double* x, const double* y, BlockConstants& frame) {
+  const Lanes bx = load_lanes(x), by = load_lanes(y);
   Lanes cosine, sine;
   each_two(frame, frame_turn, cosine, sine);
   return {cosine * bx - sine * by, sine * bx + cosine * by};
@@ -96,32 +106,43 @@ inline Arms arms_of(BlockValues& values, int x, int y, BlockConstants& frame) {
 struct LaneFlags {
   int used, alive, mature, sliding;
 };
-inline LaneFlags flags_of(PlanarBlockHead* const (&heads)[lane_blocks]) {
+inline LaneFlags flags_of(const PlanarBlockHead* heads) {
   unsigned all = 0;
   for (int b = 0; b < lane_blocks; ++b) {
     unsigned flags;
-    __builtin_memcpy(&flags, &heads[b]->used, sizeof flags);
+    __builtin_memcpy(&flags, &heads[b].used, sizeof flags);
     all |= flags << b * planar_lanes;
   }
   return {static_cast<int>(all & 255), static_cast<int>(all >> 8 & 255),
           static_cast<int>(all >> 16 & 255), static_cast<int>(all >> 24)};
 }
+inline void set_sliding(PlanarBlockHead* heads, int sliding) {
+  for (int b = 0; b < lane_blocks; ++b)
+    heads[b].sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & all_of_block);
+}
 
-/// Evaluates the lasting contacts of the blocks `places`, of which only the first `members` are
-/// there; the others repeat one. Returns the lanes that need the general way.
-inline __attribute__((always_inline)) int evaluate_blocks(const int (&places)[lane_blocks],
-                                                          int members, const PlanarForces& forces) {
-  PlanarBlockHead* heads[lane_blocks];
-  double* values[lane_blocks];
+/// The lanes of blocks whose bodies had no event in the step before.
+inline int undisturbed(const PlanarBlockHead* heads, const PlanarForces& forces) {
+  int lanes = (1 << lane_blocks * planar_lanes) - 1;
+  if (!forces.jumped) return lanes;
+  for (int b = 0; b < lane_blocks; ++b)
+    if (forces.jumped[heads[b].i] | (heads[b].j >= 0 && forces.jumped[heads[b].j]))
+      lanes &= ~(all_of_block << b * planar_lanes);
+  return lanes;
+}
+
+/// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
+/// general way.
+inline __attribute__((always_inline)) int evaluate_blocks(int first, const PlanarForces& forces) {
+  PlanarBlockHead* const heads = forces.heads + first;
+  double* const values = values_of(forces, first);
   const double *frame_i[lane_blocks], *frame_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    heads[b] = &forces.heads[places[b]];
-    values[b] = forces.values + static_cast<long>(places[b]) * forces.stride;
-    frame_i[b] = reinterpret_cast<const double*>(&forces.frames[heads[b]->i]);
-    frame_j[b] = reinterpret_cast<const double*>(&forces.frames[heads[b]->j]);
+    frame_i[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].i]);
+    frame_j[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].j]);
   }
-  const Arms i = arms_of(values, planar_xi, planar_yi, frame_i);
-  const Arms j = arms_of(values, planar_xj, planar_yj, frame_j);
+  const Arms i = arms_of(values + planar_xi, values + planar_yi, frame_i);
+  const Arms j = arms_of(values + planar_xj, values + planar_yj, frame_j);
   Lanes xi, yi, xj, yj, wi, wj, radius_i, radius_j;
   each_two(frame_i, frame_place, xi, yi);
   each_two(frame_j, frame_place, xj, yj);
@@ -130,15 +151,10 @@ inline __attribute__((always_inline)) int evaluate_blocks(const int (&places)[la
   const Lanes dx = (xi - xj) + (i.x - j.x), dy = (yi - yj) + (i.y - j.y);
   const Lanes square = dx * dx + dy * dy, reach = radius_i + radius_j;
   const LaneFlags flags = flags_of(heads);
-  const int there = (1 << members * planar_lanes) - 1;
-  const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used & there;
-  const int here = touching | (flags.alive & there);
+  const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used;
+  const int here = touching | flags.alive;
   if (here == 0) return 0;
-  int lasting = touching & flags.mature;
-  if (forces.jumped)
-    for (int b = 0; b < lane_blocks; ++b)
-      if (forces.jumped[heads[b]->i] | forces.jumped[heads[b]->j])
-        lasting &= ~(all_of_block << b * planar_lanes);
+  const int lasting = touching & flags.mature & undisturbed(heads, forces);
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
@@ -157,11 +173,11 @@ inline __attribute__((always_inline)) int evaluate_blocks(const int (&places)[la
   int sliding = flags.sliding;
   const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
                                           uy * nx - ux * ny, lasting, sliding, forces);
+  set_sliding(heads, sliding);
   double *load_i[lane_blocks], *load_j[lane_blocks];
-  for (int b = lane_blocks - 1; b >= 0; --b) {  // the first counts where it is repeated
-    heads[b]->sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & all_of_block);
-    load_i[b] = forces.loads[heads[b]->i].d;
-    load_j[b] = forces.loads[heads[b]->j].d;
+  for (int b = 0; b < lane_blocks; ++b) {
+    load_i[b] = forces.loads[heads[b].i].d;
+    load_j[b] = forces.loads[heads[b].j].d;
   }
   const Lanes fx = force.normal * nx - force.tangential * ny;
   const Lanes fy = force.normal * ny + force.tangential * nx;
@@ -169,16 +185,28 @@ inline __attribute__((always_inline)) int evaluate_blocks(const int (&places)[la
   return general | force.general;
 }
 
-/// Lists those in front, and those behind them whose spheres may have met: since they were listed
-/// both bodies together have moved by the gap. Without branches, as there is no telling which.
+/// Enters the blocks from `first` on that have such lanes.
+inline void enter_general(int first, int general, const PlanarForces& forces, int& entries) {
+  for (int b = 0; general != 0; ++b, general >>= planar_lanes)
+    if ((general & all_of_block) != 0)
+      forces.general[entries++] = {first + b, general & all_of_block};
+}
+
+/// Lists where lane_blocks begin: all of them in front, and those behind in which spheres may have
+/// met: since they were listed both bodies together have moved by the gap. Without branches, as
+/// there is no telling which.
 inline int find_awake(const PlanarForces& forces) {
-  for (int place = 0; place < forces.touching; ++place) forces.awake[place] = place;
-  int count = forces.touching;
-  for (int place = forces.touching; place < forces.count; ++place) {
-    const PlanarBlockHead& head = forces.heads[place];
-    const bool asleep = forces.moved[head.i] + forces.moved[head.j] < head.gap;
-    forces.awake[count] = place;
-    count += (head.alive != 0) | !asleep;
+  int count = 0, first = 0;
+  for (; first < forces.touching; first += lane_blocks) forces.awake[count++] = first;
+  for (; first < forces.count; first += lane_blocks) {
+    int awake = 0;
+    for (int b = 0; b < lane_blocks; ++b) {
+      const PlanarBlockHead& head = forces.heads[first + b];
+      const bool asleep = forces.moved[head.i] + forces.moved[head.j] < head.gap;
+      awake |= (head.alive != 0) | !asleep;
+    }
+    forces.awake[count] = first;
+    count += awake;
   }
   return count;
 }
@@ -186,16 +214,9 @@ inline int find_awake(const PlanarForces& forces) {
 int evaluate_pairs(const PlanarForces& forces) {
   int entries = 0;
   const int count = find_awake(forces);
-  for (int first = 0; first < count; first += lane_blocks) {
-    const int left = count - first, members = left < lane_blocks ? left : lane_blocks;
-    int places[lane_blocks];
-    for (int b = 0; b < lane_blocks; ++b) places[b] = forces.awake[first + (b < members ? b : 0)];
-    const int general = evaluate_blocks(places, members, forces);
-    if (general == 0) continue;
-    for (int b = 0; b < members; ++b) {
-      const int lanes = general >> b * planar_lanes & all_of_block;
-      if (lanes != 0) forces.general[entries++] = {places[b], lanes};
-    }
+  for (int k = 0; k < count; ++k) {
+    const int general = evaluate_blocks(forces.awake[k], forces);
+    if (general != 0) enter_general(forces.awake[k], general, forces, entries);
   }
   return entries;
 }

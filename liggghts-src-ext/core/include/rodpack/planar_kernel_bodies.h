@@ -1,65 +1,64 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts with walls, a block at a time, and the motion of bodies; included after planar_kernel.h,
+// Contacts with walls and the motion of bodies; included after planar_kernel.h,
 // for lanes of four.
 
-/// Where a wall pushes spheres with centres at `distance` from it along its axis.
-inline Lanes sides_of(const PlanarWall& wall, Lanes distance) {
-  if (wall.free_side != 0) return all_lanes(wall.free_side);
-  return lane_choice(lane_less(distance, all_lanes(0.0)), all_lanes(-1.0), all_lanes(1.0));
-}
+/// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
+/// the general way.
+inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
+  PlanarBlockHead* const heads = forces.heads + first;
+  double* const values = values_of(forces, first);
+  const double *frame[lane_blocks], *wall[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) {
+    frame[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].i]);
+    wall[b] = reinterpret_cast<const double*>(&forces.walls[-1 - heads[b].j]);
+  }
+  const Arms arms = arms_of(values + planar_xi, values + planar_yi, frame);
+  Lanes x, y, spin, radius, along_x, along_y, position, free_side;
+  each_two(frame, frame_place, x, y);
+  each_two(frame, frame_spin, spin, radius);
+  each_two(wall, 0, along_x, along_y);
+  each_two(wall, 2, position, free_side);
+  const Lanes distance = (x + arms.x) * along_x + (y + arms.y) * along_y - position;
+  const Lanes zero = all_lanes(0.0);
+  const Lanes own_side =
+      lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
+  const Lanes side = lane_choice(lane_less(zero, free_side * free_side), free_side, own_side);
+  const LaneFlags flags = flags_of(heads);
+  const int touching = ~lane_bits(lane_less(radius, distance * side)) & flags.used;
+  const int here = touching | flags.alive;
+  if (here == 0) return 0;
+  const int lasting = touching & flags.mature & undisturbed(heads, forces);
+  const int general = here & ~lasting;
+  if (lasting == 0) return general;
 
-/// Evaluates lasting contacts with a wall, at the `distance` of the spheres' centres from it along
-/// its axis; returns the lanes that need the general way.
-inline int evaluate_lasting_wall(PlanarBlockHead& head, BlockValues& values, const Arms& arms,
-                                 const PlanarWall& wall, Lanes distance, int lasting,
-                                 const PlanarForces& forces) {
-  const PlanarFrame& i = forces.frames[head.i];
-  const Lanes zero = all_lanes(0.0), radius = all_lanes(i.radius);
-  const Lanes side = sides_of(wall, distance);
-  const Lanes nx = wall.axis == 0 ? side : zero, ny = wall.axis == 0 ? zero : side;
+  const Lanes nx = along_x * side, ny = along_y * side;
   const Lanes overlap = radius - distance * side;
   const Lanes lever = radius - 0.5 * overlap;
   const Lanes px = arms.x - lever * nx, py = arms.y - lever * ny;
-  const Lanes ux = i.velocity[0] - i.velocity[2] * py, uy = i.velocity[1] + i.velocity[2] * px;
-  PlanarBlockHead* const heads[lane_blocks] = {&head, &head};
-  int sliding = head.sliding;
+  Lanes vx, vy;
+  each_two(frame, frame_velocity, vx, vy);
+  const Lanes ux = vx - spin * py, uy = vy + spin * px;
+  int sliding = flags.sliding;
   const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
                                           uy * nx - ux * ny, lasting, sliding, forces);
-  head.sliding = static_cast<std::uint8_t>(sliding & all_of_block);
+  set_sliding(heads, sliding);
   const Lanes fx = force.normal * nx - force.tangential * ny;
   const Lanes fy = force.normal * ny + force.tangential * nx;
-  alignas(64) PlanarVector on_wall;
-  double* const load = forces.loads[head.i].d;
-  double *const load_i[lane_blocks] = {load, load}, *const load_j[lane_blocks] = {on_wall.d,
-                                                                                  on_wall.d};
-  add_loads(fx, fy, px * fy - py * fx, zero, load_i, load_j);
-  return force.general;
+  alignas(64) PlanarVector on_walls = PlanarVector();
+  double *load[lane_blocks], *load_of_wall[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) {
+    load[b] = forces.loads[heads[b].i].d;
+    load_of_wall[b] = on_walls.d;
+  }
+  add_loads(fx, fy, px * fy - py * fx, zero, load, load_of_wall);
+  return general | force.general;
 }
 
 int evaluate_walls(const PlanarForces& forces) {
   int entries = 0;
-  for (int place = 0; place < forces.count; ++place) {
-    PlanarBlockHead& head = forces.heads[place];
-    const PlanarFrame& i = forces.frames[head.i];
-    const PlanarWall& wall = forces.walls[-1 - head.j];
-    // All blocks of a register are this one; lanes of the first count.
-    double* const first = forces.values + static_cast<long>(place) * forces.stride;
-    double* const values[lane_blocks] = {first, first};
-    const double* const of_i = reinterpret_cast<const double*>(&i);
-    const double* const frame[lane_blocks] = {of_i, of_i};
-    const Arms arms = arms_of(values, planar_xi, planar_yi, frame);
-    const Lanes distance =
-        (wall.axis == 0 ? i.x + arms.x : i.y + arms.y) - all_lanes(wall.position);
-    const Lanes side = sides_of(wall, distance);
-    const int touching = ~lane_bits(lane_less(all_lanes(i.radius), distance * side)) & head.used;
-    const int here = touching | head.alive;
-    if (here == 0) continue;
-    int lasting = touching & head.mature;
-    if (forces.jumped && forces.jumped[head.i]) lasting = 0;
-    int general = here & ~lasting;
-    if (lasting)
-      general |= evaluate_lasting_wall(head, values, arms, wall, distance, lasting, forces);
-    if (general != 0) forces.general[entries++] = {place, general};
+  for (int first = 0; first < forces.count; first += lane_blocks) {
+    const int general = evaluate_wall_blocks(first, forces);
+    if (general != 0) enter_general(first, general, forces, entries);
   }
   return entries;
 }

@@ -118,6 +118,7 @@ struct PlanarScene::Data {
   AlignedVector<PlanarListedLanes> listed_lanes;
   AlignedVector<double> moved;  // since a body was listed, at most, m
   std::vector<PlanarLawConstants> laws;
+  AlignedVector<PlanarWallLine> wall_lines;
 
   PlanarBlockPool pairs, at_walls;
   PlanarGrid grid;
