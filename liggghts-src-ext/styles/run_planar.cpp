@@ -351,6 +351,7 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
   for (int body = 0; body < scene_->size_with_ghosts(); ++body)
     if (scene_->spheres(body) > 0) first.push_back({scene_->sphere_tag(body, 0), body, 0});
   std::sort(first.begin(), first.end(), before);
+  places.reserve(first.empty() ? 0 : first.size() * scene_->spheres(first[0].body));
   for (const Place& at : first)
     for (int sphere = 0; sphere < scene_->spheres(at.body); ++sphere)
       places.push_back({scene_->sphere_tag(at.body, sphere), at.body, sphere});
@@ -364,6 +365,7 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
     return *found;
   };
   std::vector<rodpack::PlanarContactState> contacts;
+  contacts.reserve(records.size());
   for (const PlanarContactRecord& record : records) {
     contacts.push_back(record.state);
     rodpack::PlanarContactState& contact = contacts.back();
@@ -394,7 +396,9 @@ void RunPlanar::take_over() {
 /// The contacts of the atoms of this rank, as each of them sees it.
 std::vector<PlanarContactRecord> RunPlanar::contacts_of_atoms() const {
   std::vector<std::vector<PlanarContactRecord> > records(comm->nprocs);
-  for (const rodpack::PlanarContactState& contact : scene_->contacts()) {
+  const std::vector<rodpack::PlanarContactState> contacts = scene_->contacts();
+  records[comm->me].reserve(2 * contacts.size());
+  for (const rodpack::PlanarContactState& contact : contacts) {
     const auto send = [&](int body, int sphere, int partner, double sign) {
       if (body >= scene_->size()) return;  // its own rank does
       const int i = atoms_[body][sphere];

@@ -173,8 +173,7 @@ void PlanarScene::Data::list_all() {
   for (int k = 0; k < count; ++k) mark_listed(k);
   grid.build(listed, 2.0 * (longest + settings.max_skin));
   lists_exist = true;
-  for (int k = 0; k < count; ++k) list(k);
-  sort_blocks();
+  for (int k = 0; k < count; ++k) list_near(k, k);
 }
 
 void PlanarScene::Data::renew_lists() {
@@ -184,6 +183,25 @@ void PlanarScene::Data::renew_lists() {
     list(body);
   }
   to_list.clear();
+}
+
+/// Makes the blocks of a body with those before `end`, and with walls.
+void PlanarScene::Data::list_near(int body, int end) {
+  const PlanarListed& at = listed[body];
+  near.clear();
+  grid.around(at.x, at.y, [&](int other) {
+    if (other == body || other >= end) return;
+    if (other >= owned && body >= owned) return;  // other ranks' own affair
+    const PlanarListed& there = listed[other];
+    const double dx = at.x - there.x, dy = at.y - there.y;
+    const double far = at.reach + there.reach + at.skin + there.skin;
+    if (dx * dx + dy * dy < far * far) near.push_back(other);
+  });
+  for (int other : near) {
+    const bool first = comes_first(body, other);
+    list_pair(first ? body : other, first ? other : body);
+  }
+  if (body < owned) list_walls(body);
 }
 
 /// Makes the blocks of a body anew; contacts keep their history.
@@ -199,20 +217,7 @@ void PlanarScene::Data::list(int body) {
         }
     pool->remove_all_of(body);
   }
-  const PlanarListed& at = listed[body];
-  near.clear();
-  grid.around(at.x, at.y, [&](int other) {
-    if (other == body || (other >= owned && body >= owned)) return;  // other ranks' own affair
-    const PlanarListed& there = listed[other];
-    const double dx = at.x - there.x, dy = at.y - there.y;
-    const double far = at.reach + there.reach + at.skin + there.skin;
-    if (dx * dx + dy * dy < far * far) near.push_back(other);
-  });
-  for (int other : near) {
-    const bool first = comes_first(body, other);
-    list_pair(first ? body : other, first ? other : body);
-  }
-  if (body < owned) list_walls(body);
+  list_near(body, static_cast<int>(info.size()));
   for (const Saved& contact : saved) {
     PlanarBlockPool& pool = contact.j < 0 ? at_walls : pairs;
     for (int place : pool.of_body(body)) {

@@ -258,7 +258,10 @@ PlanarScene::~PlanarScene() = default;
 
 void PlanarScene::evaluate() {
   Data& d = *data_;
-  if (!d.lists_exist) d.list_all();
+  if (!d.lists_exist) {
+    d.list_all();
+    d.sort_blocks();
+  }
   d.begin_forces();
   d.evaluate_forces();
   d.events.forget_changes();  // no step has gone by that could have missed something
@@ -266,7 +269,10 @@ void PlanarScene::evaluate() {
 
 long PlanarScene::run(long steps) {
   Data& d = *data_;
-  if (!d.lists_exist) d.list_all();
+  if (!d.lists_exist) {
+    d.list_all();
+    d.sort_blocks();
+  }
   long step = 0;
   for (; step < steps && !(d.halo && d.halo->far_away()); ++step) {
     d.now += 1.0;
@@ -322,6 +328,7 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
 
 std::vector<PlanarContactState> PlanarScene::contacts() const {
   std::vector<PlanarContactState> result;
+  result.reserve(planar_lanes * (data_->pairs.filled() + data_->at_walls.filled()));
   for (const PlanarBlockPool* pool : {&data_->pairs, &data_->at_walls})
     for (int place = 0; place < pool->size(); ++place)
       for (int lane = 0; lane < planar_lanes; ++lane) {

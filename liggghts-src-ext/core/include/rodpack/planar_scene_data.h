@@ -71,10 +71,11 @@ struct PlanarScene::Data {
   /// Whether i is the first of the two in a block, on every rank.
   bool comes_first(int i, int j) const { return tags[i] < tags[j]; }
   // planar_lists.cpp
-  void list_all();
+  void list_all();  // sort_blocks() should follow
   void mark_listed(int body);
   void renew_lists();
   void list(int body);
+  void list_near(int body, int end);
   void list_pair(int i, int j);
   void list_walls(int i);
   void sort_blocks();
