@@ -159,7 +159,7 @@ TEST(PlanarEngine, ForcesOfABedAtRestAreThoseOfTheSphereLevelStyles) {
   for (const char* events : {"yes", "no"}) {
     const auto bed = finished({{"rods", "60"},
                                {"height", "0.19"},
-                               {"steps", "100000"},
+                               {"steps", "160000"},
                                {"every", "20000"},
                                {"events", events},
                                {"end", "write_restart bed.restart"}},
@@ -174,8 +174,8 @@ TEST(PlanarEngine, ForcesOfABedAtRestAreThoseOfTheSphereLevelStyles) {
                                         {"events", events},
                                         {"style", style}});
       ASSERT_EQ(run.exit_code, 0) << run.output;
-      contacts.push_back(read_dump(bed.folder / "contacts.100010.dump"));
-      spheres.push_back(read_dump(bed.folder / "spheres.100010.dump"));
+      contacts.push_back(read_dump(bed.folder / "contacts.160010.dump"));
+      spheres.push_back(read_dump(bed.folder / "spheres.160010.dump"));
     }
     EXPECT_GT(contacts[1].rows(), 100u);
     for (const char* column : {"fx", "fy"}) {
@@ -302,7 +302,7 @@ TEST(PlanarEngine, ContactsKeepTheirHistoryWhenRodsChangeTheirRanks) {
 TEST(PlanarEngine, RanksFindTheForcesOfABedAtRest) {
   const Vars bed_vars = {{"rods", "60"},
                          {"height", "0.19"},
-                         {"steps", "100000"},
+                         {"steps", "160000"},
                          {"every", "20000"},
                          {"end", "write_restart bed.restart"}};
   const auto bed = finished(bed_vars, "verlet/planar");
@@ -313,7 +313,7 @@ TEST(PlanarEngine, RanksFindTheForcesOfABedAtRest) {
     vars["style"] = style;
     const auto run = run_liggghts_in(bed.folder, continued("bed.restart"), vars, ranks);
     if (run.exit_code != 0) throw std::runtime_error(run.output);
-    return by_atoms(read_dump(bed.folder / "contacts.100010.dump"));
+    return by_atoms(read_dump(bed.folder / "contacts.160010.dump"));
   };
   const Table expected = contacts_of("verlet", 1);
   EXPECT_GT(expected.rows(), 100u);
