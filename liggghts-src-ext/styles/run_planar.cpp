@@ -384,9 +384,11 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
 
 void RunPlanar::take_over() {
   find_bodies();
-  const std::vector<rodpack::PlanarBody> bodies = take_bodies();
   try {
-    scene_.reset(new rodpack::PlanarScene(settings(bodies), bodies, ranks_.get()));
+    {
+      const std::vector<rodpack::PlanarBody> bodies = take_bodies();
+      scene_.reset(new rodpack::PlanarScene(settings(bodies), bodies, ranks_.get()));
+    }
     scene_->set_contacts(take_contacts());
   } catch (const std::invalid_argument& reason) {
     refuse_one(reason.what());

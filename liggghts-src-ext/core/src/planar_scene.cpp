@@ -2,6 +2,7 @@
 #include "rodpack/planar_scene.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -327,8 +328,11 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
 }
 
 std::vector<PlanarContactState> PlanarScene::contacts() const {
+  std::size_t count = 0;
+  for (const PlanarBlockPool* pool : {&data_->pairs, &data_->at_walls})
+    for (const PlanarBlockHead& head : pool->heads) count += std::bitset<8>(head.alive).count();
   std::vector<PlanarContactState> result;
-  result.reserve(planar_lanes * (data_->pairs.filled() + data_->at_walls.filled()));
+  result.reserve(count);
   for (const PlanarBlockPool* pool : {&data_->pairs, &data_->at_walls})
     for (int place = 0; place < pool->size(); ++place)
       for (int lane = 0; lane < planar_lanes; ++lane) {
