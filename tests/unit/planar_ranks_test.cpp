@@ -426,4 +426,18 @@ TEST(PlanarRanks, RefusesBodiesWithoutTags) {
   EXPECT_THROW(PlanarScene(settings_of(), {rod(5, 0, 0, 0)}, &ranks), std::invalid_argument);
 }
 
+TEST(PlanarRanks, RefusesBodiesOfOneTag) {
+  Post post(2);
+  ThreadRanks ranks(post, 0);
+  std::vector<PlanarBody> bodies = {rod(5, 0, 0, 0), rod(5, 0.1, 0, 0), rod(5, 0.2, 0, 0)};
+  const int tags[] = {7, 3, 7};
+  for (int k = 0; k < 3; ++k) bodies[k].tag = tags[k];
+  try {
+    PlanarScene(settings_of(), bodies, &ranks);
+    FAIL();
+  } catch (const std::invalid_argument& reason) {
+    EXPECT_NE(std::string(reason.what()).find("7"), std::string::npos) << reason.what();
+  }
+}
+
 }  // namespace rodpack

@@ -168,6 +168,12 @@ void PlanarScene::Data::mark_listed(int body) {
   moved[body] = 0.0;
 }
 
+void PlanarScene::Data::make_lists() {
+  if (lists_exist) return;
+  list_all();
+  sort_blocks();
+}
+
 void PlanarScene::Data::list_all() {
   const int count = static_cast<int>(info.size());
   for (int k = 0; k < count; ++k) mark_listed(k);

@@ -247,10 +247,11 @@ PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<Plana
   validate(settings, bodies);
   data_.reset(new Data(settings, bodies));
   if (!ranks || ranks->count() == 1) return;
-  std::vector<int> tags(data_->tags);
+  std::vector<int> tags;
+  for (const PlanarBody& body : bodies) tags.push_back(body.tag);
   std::sort(tags.begin(), tags.end());
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    require(bodies[k].tag >= 0 && (k == 0 || tags[k] != tags[k - 1]), "tag of a body", tags[k],
+  for (std::size_t k = 0; k < tags.size(); ++k)
+    require(tags[k] > (k == 0 ? -1 : tags[k - 1]), "tag of a body", tags[k],
             "tags >= 0, each once");
   data_->halo.reset(new PlanarHalo(*ranks, *data_));
 }
@@ -259,10 +260,7 @@ PlanarScene::~PlanarScene() = default;
 
 void PlanarScene::evaluate() {
   Data& d = *data_;
-  if (!d.lists_exist) {
-    d.list_all();
-    d.sort_blocks();
-  }
+  d.make_lists();
   d.begin_forces();
   d.evaluate_forces();
   d.events.forget_changes();  // no step has gone by that could have missed something
@@ -270,10 +268,7 @@ void PlanarScene::evaluate() {
 
 long PlanarScene::run(long steps) {
   Data& d = *data_;
-  if (!d.lists_exist) {
-    d.list_all();
-    d.sort_blocks();
-  }
+  d.make_lists();
   long step = 0;
   for (; step < steps && !(d.halo && d.halo->far_away()); ++step) {
     d.now += 1.0;

@@ -28,8 +28,8 @@ struct alignas(16) PlanarBlockHead {
   std::uint8_t used, alive, mature, sliding;
 };
 
-/// Places of what is known about the lanes of a block in its values, each for all lanes: rows, which
-/// the blocks of a group share.
+/// Places of what is known about the lanes of a block in its values, each for all lanes: rows,
+/// which the blocks of a group share.
 enum PlanarBlockValue {
   // centres of the spheres in the frames of their bodies, m; unused lanes repeat the first
   planar_xi = 0,
@@ -97,7 +97,7 @@ class PlanarBlockPool {
   /// Puts the blocks in the given order, without holes but for the last group: order[k] is the
   /// present place of the k-th. The first `touching` of them may go on to touch.
   void reorder(const std::vector<int>& order, int touching);
-  int touching() const { return std::min(touching_, size()); }
+  int touching() const { return touching_; }
 
   /// Place of the velocities k steps back in the values; `turned`: as after the next turn.
   int velocity(int k, bool turned = false) const {
@@ -133,7 +133,8 @@ class PlanarBlockPool {
     heads[place] = hole_;
     double* const of_place = values(place);
     std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
-    for (int row : {planar_yi, planar_xj, planar_yj}) std::fill_n(of_place + row, planar_lanes, 0.0);
+    for (int row : {planar_yi, planar_xj, planar_yj})
+      std::fill_n(of_place + row, planar_lanes, 0.0);
     holes_.push_back(place);
   }
 

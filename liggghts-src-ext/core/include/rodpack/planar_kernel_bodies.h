@@ -20,8 +20,7 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   each_two(wall, 2, position, free_side);
   const Lanes distance = (x + arms.x) * along_x + (y + arms.y) * along_y - position;
   const Lanes zero = all_lanes(0.0);
-  const Lanes own_side =
-      lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
+  const Lanes own_side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
   const Lanes side = lane_choice(lane_less(zero, free_side * free_side), free_side, own_side);
   const LaneFlags flags = flags_of(heads);
   const int touching = ~lane_bits(lane_less(radius, distance * side)) & flags.used;

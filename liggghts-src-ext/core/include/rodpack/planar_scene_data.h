@@ -71,7 +71,8 @@ struct PlanarScene::Data {
   /// Whether i is the first of the two in a block, on every rank.
   bool comes_first(int i, int j) const { return tags[i] < tags[j]; }
   // planar_lists.cpp
-  void list_all();  // sort_blocks() should follow
+  void make_lists();  // if there are none yet
+  void list_all();    // without an order of blocks
   void mark_listed(int body);
   void renew_lists();
   void list(int body);
@@ -99,7 +100,7 @@ struct PlanarScene::Data {
   double now = 0.0;  // number of the step that is evaluated
   bool lists_exist = false;
   double longest = 0.0;  // reach of all bodies, of other ranks too
-  int owned = 0;  // bodies of this rank; ghosts follow them
+  int owned = 0;         // bodies of this rank; ghosts follow them
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
 
