@@ -9,17 +9,24 @@
 
 namespace rodpack {
 
-void PlanarScene::Data::evaluate_forces() {
-  evaluate_general(pairs, kernel.pairs(forces_of(pairs)));
-  evaluate_general(at_walls, kernel.walls(forces_of(at_walls)));
+/// Of the blocks of a part; each part once, and then end_forces().
+void PlanarScene::Data::evaluate_forces(int part) {
+  evaluate_general(pairs, kernel.pairs(forces_of(pairs, part)));
+  evaluate_general(at_walls, kernel.walls(forces_of(at_walls, part)));
 }
 
-PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
+void PlanarScene::Data::end_forces() {
+  pairs.turn();
+  at_walls.turn();
+}
+
+PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool, int part) {
   PlanarForces forces = PlanarForces();
   forces.heads = pool.heads.data();
   forces.values = pool.all_values.data();
-  forces.count = pool.size();
-  forces.touching = pool.touching();
+  forces.block_laws = pool.laws.data();
+  forces.touching = pool.touching(part);
+  forces.others = pool.others(part);
   forces.rows = pool.rows();
   forces.newest = pool.velocity(0, true);
   forces.frames = frames.data();
@@ -45,12 +52,11 @@ PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool) {
   return forces;
 }
 
-/// The lanes that need it, and then the turn of all velocities.
+/// The lanes that need it.
 void PlanarScene::Data::evaluate_general(PlanarBlockPool& pool, int entries) {
   for (int k = 0; k < entries; ++k)
     for (int lane = 0; lane < planar_lanes; ++lane)
       if (general[k].lanes & 1 << lane) evaluate_lane(pool, general[k].place, lane);
-  pool.turn();
 }
 
 /// Sets the contact of a lane; false if its spheres do not overlap.
@@ -58,7 +64,7 @@ bool PlanarScene::Data::place_lane(const PlanarBlockPool& pool, int place, int l
                                    PlanarContact& contact) const {
   const PlanarBlockHead& head = pool.heads[place];
   const double* const values = pool.values(place) + lane;
-  const PlanarLawConstants& law = laws[head.law];
+  const PlanarLawConstants& law = laws[pool.laws[place]];
   contact.body_i = head.i;
   contact.body_j = head.j;
   contact.offset_i[0] = values[planar_xi];
@@ -69,8 +75,9 @@ bool PlanarScene::Data::place_lane(const PlanarBlockPool& pool, int place, int l
   contact.radj = head.j < 0 ? 0.0 : frames[head.j].radius;
   contact.kn = law.kn;
   contact.kt = law.kt;
-  contact.gamman = head.gamma[0];
-  contact.gammat = head.gamma[1];
+  const double* const gammas = pool.values(place) + planar_gammas;
+  contact.gamman = gammas[0];
+  contact.gammat = gammas[1];
   if (head.j < 0) {
     place_wall(contact, frames[head.i], settings.walls[-1 - head.j]);
     return contact.deltan >= 0.0;
@@ -100,7 +107,7 @@ void PlanarScene::Data::apply(const PlanarContact& contact, double normal,
 
 void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
   const bool alive = (pool.heads[place].alive & 1 << lane) != 0;
-  const double friction = laws[pool.heads[place].law].friction;
+  const double friction = laws[pool.laws[place]].friction;
   PlanarContact contact;
   const bool touches = place_lane(pool, place, lane, contact);
   if (!touches && !alive) return;

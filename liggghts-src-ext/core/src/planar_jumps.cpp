@@ -33,7 +33,7 @@ bool PlanarScene::Data::outlast_jump(PlanarBlockPool& pool, int place, int lane,
   const double nx = contact.en[0], ny = contact.en[1];
   const AlongAxis normal(change, nx, ny), tangential(change, -ny, nx);
   double* const values = pool.values(place) + lane;
-  const PlanarLawConstants& law = laws[head.law];
+  const PlanarLawConstants& law = laws[pool.laws[place]];
 
   // The dashpot of the last evaluation did not know of the event.
   const double uncut = contact.kn * contact.deltan - contact.gamman * contact.vn;

@@ -4,6 +4,7 @@
 // were listed; so that none has to be listed because another one moved.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rodpack/planar_scene_data.h"
 
@@ -68,17 +69,20 @@ void PlanarGrid::unlink(int body) {
   if (next_[body] >= 0) previous_[next_[body]] = previous_[body];
 }
 
-void PlanarBlockPool::reorder(const std::vector<int>& order, int touching) {
-  touching_ = touching;
+void PlanarBlockPool::reorder(const std::vector<int>& order, int touching,
+                              const PlanarParts& parts) {
   heads.swap(spare_heads_);
+  laws.swap(spare_laws_);
   all_values.swap(spare_values_);
   births.swap(spare_births_);
   for (std::vector<int>& list : of_body_) list.clear();
   holes_.clear();
-  const int filled = static_cast<int>(order.size());
-  resize_blocks(filled, filled);
-  for (int k = 0; k < filled; ++k) {
+  filled_ = static_cast<int>(order.size());
+  ordered_ = filled_ - filled_ % planar_group;
+  resize_blocks(filled_, filled_);
+  for (int k = 0; k < filled_; ++k) {
     heads[k] = spare_heads_[order[k]];
+    laws[k] = spare_laws_[order[k]];
     births[k] = spare_births_[order[k]];
     const double* const from = &spare_values_[values_place(order[k])];
     double* const to = values(k);
@@ -87,6 +91,31 @@ void PlanarBlockPool::reorder(const std::vector<int>& order, int touching) {
     of_body_[heads[k].i].push_back(k);
     if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
   }
+
+  const auto find_ends = [&](int first, int end, std::vector<int>& ends) {
+    ends.clear();
+    for (int part = 0; part < parts.count() - 1; ++part) {
+      while (first < end && parts.of(heads[first]) <= part) ++first;
+      ends.push_back(first - first % planar_group);
+    }
+  };
+  find_ends(0, touching, ends_of_touching_);
+  ends_of_touching_.push_back(touching + (planar_group - touching % planar_group) % planar_group);
+  find_ends(touching, filled_, ends_of_others_);
+  // What of a group touches decides.
+  for (int& end : ends_of_others_) end = std::max(end, ends_of_touching_.back());
+}
+
+PlanarRange PlanarBlockPool::touching(int part) const {
+  if (ends_of_touching_.empty()) return {0, 0};
+  return {part == 0 ? 0 : ends_of_touching_[part - 1], ends_of_touching_[part]};
+}
+
+PlanarRange PlanarBlockPool::others(int part) const {
+  const int parts = static_cast<int>(ends_of_others_.size());
+  if (ends_of_touching_.empty()) return {0, 0};
+  return {part == 0 ? ends_of_touching_.back() : ends_of_others_[part - 1],
+          part == parts ? size() : ends_of_others_[part]};
 }
 
 void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved) {
@@ -141,15 +170,16 @@ double PlanarScene::Data::wanted_skin(int body) const {
                   std::max(settings.min_skin, speed * settings.skin_steps * settings.dt));
 }
 
-void PlanarScene::Data::set_coefficients(PlanarBlockHead& head) const {
-  const PlanarBodyInfo& i = info[head.i];
-  const bool wall = head.j < 0;
-  const int type_j = wall ? settings.walls[-1 - head.j].type : info[head.j].type;
-  const double mass = wall ? i.mass : i.mass * info[head.j].mass / (i.mass + info[head.j].mass);
-  head.law = i.type * settings.types + type_j;
-  const PlanarLaw& law = settings.laws[head.law];
-  head.gamma[0] = damping_coefficient(law.eta_n, mass, law.kn);
-  head.gamma[1] = damping_coefficient(law.eta_t, mass, law.kt);
+/// Of body i with body j, or wall -1 - j.
+PlanarScene::Data::Coefficients PlanarScene::Data::coefficients(int i, int j) const {
+  const bool wall = j < 0;
+  const int type_j = wall ? settings.walls[-1 - j].type : info[j].type;
+  const double m = info[i].mass, mass = wall ? m : m * info[j].mass / (m + info[j].mass);
+  const int place = info[i].type * settings.types + type_j;
+  const PlanarLaw& law = settings.laws[place];
+  return {
+      place,
+      {damping_coefficient(law.eta_n, mass, law.kn), damping_coefficient(law.eta_t, mass, law.kt)}};
 }
 
 /// A body is about to be listed where it is.
@@ -246,9 +276,11 @@ struct Candidate {
   int sphere_i, sphere_j;
 };
 
-/// Puts candidates into blocks, the closest first: so those that touch share blocks.
-void add_blocks(PlanarBlockPool& pool, PlanarBlockHead head, std::vector<Candidate>& candidates,
-                const PlanarSphere* of_i, const PlanarSphere* of_j) {
+/// Puts candidates of i and j into blocks, the closest first: so those that touch share blocks.
+void add_blocks(PlanarBlockPool& pool, int i, int j,
+                const PlanarScene::Data::Coefficients& coefficients,
+                std::vector<Candidate>& candidates, const PlanarSphere* of_i,
+                const PlanarSphere* of_j) {
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.gap != b.gap             ? a.gap < b.gap
            : a.sphere_i != b.sphere_i ? a.sphere_i < b.sphere_i
@@ -258,14 +290,19 @@ void add_blocks(PlanarBlockPool& pool, PlanarBlockHead head, std::vector<Candida
   for (int first = 0; first < count; first += planar_lanes) {
     PlanarBlockBirth birth = PlanarBlockBirth();
     const int used = std::min(planar_lanes, count - first);
+    PlanarBlockHead head = PlanarBlockHead();
+    head.i = i;
+    head.j = j;
     head.used = static_cast<std::uint8_t>((1 << used) - 1);
-    head.gap = candidates[first].gap;
+    head.gap = std::nextafter(static_cast<float>(candidates[first].gap),
+                              -std::numeric_limits<float>::infinity());
     for (int lane = 0; lane < planar_lanes; ++lane) {
       const Candidate& pair = candidates[first + (lane < used ? lane : 0)];
       birth.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);
       birth.sphere_j[lane] = static_cast<std::uint16_t>(pair.sphere_j);
     }
-    double* const values = pool.values(pool.add(head, birth));
+    double* const values = pool.values(pool.add(head, coefficients.law, birth));
+    std::copy_n(coefficients.gamma, 2, values + planar_gammas);
     for (int lane = 0; lane < planar_lanes; ++lane) {
       const PlanarSphere &i = of_i[birth.sphere_i[lane]], &j = of_j[birth.sphere_j[lane]];
       values[planar_xi + lane] = i.x;
@@ -305,12 +342,7 @@ void PlanarScene::Data::list_pair(int i, int j) {
       if (square < near_by * near_by) candidates.push_back({std::sqrt(square) - touch, k, l});
     }
   }
-  if (candidates.empty()) return;
-  PlanarBlockHead head = PlanarBlockHead();
-  head.i = i;
-  head.j = j;
-  set_coefficients(head);
-  add_blocks(pairs, head, candidates, of_i, of_j);
+  if (!candidates.empty()) add_blocks(pairs, i, j, coefficients(i, j), candidates, of_i, of_j);
 }
 
 void PlanarScene::Data::list_walls(int i) {
@@ -330,15 +362,13 @@ void PlanarScene::Data::list_walls(int i) {
       const double gap = wall.side_of(distance) * distance - radius;
       if (gap < a.skin) candidates.push_back({gap, k, 0});
     }
-    PlanarBlockHead head = PlanarBlockHead();
-    head.i = i;
-    head.j = -1 - static_cast<int>(w);
-    set_coefficients(head);
-    add_blocks(at_walls, head, candidates, of_i, &none);
+    const int j = -1 - static_cast<int>(w);
+    if (!candidates.empty())
+      add_blocks(at_walls, i, j, coefficients(i, j), candidates, of_i, &none);
   }
 }
 
-/// Touching blocks first, each kind in the order of the bodies: they run through memory.
+/// Touching blocks first, each kind in the order in which their bodies have both moved.
 void PlanarScene::Data::sort_blocks() {
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
     int touching = 0;
@@ -352,11 +382,14 @@ void PlanarScene::Data::sort_blocks() {
     std::sort(near.begin(), near.end(), [&](int a, int b) {
       const bool touches_a = heads[a].alive != 0, touches_b = heads[b].alive != 0;
       if (touches_a != touches_b) return touches_a;
+      const int last_a = std::max(heads[a].i, heads[a].j),
+                last_b = std::max(heads[b].i, heads[b].j);
+      if (last_a != last_b) return last_a < last_b;
       if (heads[a].i != heads[b].i) return heads[a].i < heads[b].i;
       if (heads[a].j != heads[b].j) return heads[a].j < heads[b].j;
       return a < b;
     });
-    pool->reorder(near, touching);
+    pool->reorder(near, touching, parts);
   }
 }
 

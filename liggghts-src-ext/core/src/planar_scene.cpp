@@ -15,6 +15,9 @@ namespace rodpack {
 
 namespace {
 
+// So few that they and their blocks stay in a core's cache.
+const int bodies_in_part = 128;
+
 void require(bool holds, const std::string& name, double value, const char* expected) {
   if (!holds)
     throw std::invalid_argument("planar scene: " + name + " is " + std::to_string(value) +
@@ -64,8 +67,9 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
       follows(given.events && given.order > 1) {
   const std::size_t count = bodies.size();
   owned = static_cast<int>(count);
+  parts = {owned, bodies_in_part};
   resize(owned);
-  for (auto* vectors : {&inverse_inertia, &missed_displacement, &missed_velocity})
+  for (auto* vectors : {&inertia, &missed_displacement, &missed_velocity})
     vectors->assign(count, PlanarVector());
   for (int k = 0; k < settings.order - 1; ++k) {
     past_velocity[k].assign(count, PlanarVector());
@@ -99,11 +103,11 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
     evaluations[b] = static_cast<std::int8_t>(std::min(body.evaluations, settings.order + 1));
     for (int d = 0; d < 3; ++d) {
       loads[b].d[d] = body.load[d];
-      inverse_inertia[b].d[d] = 1.0 / (d < 2 ? body.mass : body.moment);
+      inertia[b].d[d] = 1.0 / (d < 2 ? body.mass : body.moment);
       missed_displacement[b].d[d] = body.missed_displacement[d];
       missed_velocity[b].d[d] = body.missed_velocity[d];
     }
-    for (int d = 0; d < 2; ++d) weights[b].d[d] = body.mass * settings.gravity[d];
+    inertia[b].d[3] = body.mass;
     missed.push_back(static_cast<int>(b));
     if (body.evaluations == 0) newborn.push_back(static_cast<int>(b));
     for (int k = 0; k < settings.order - 1; ++k) {
@@ -122,7 +126,6 @@ PlanarScene::Data::~Data() = default;
 void PlanarScene::Data::resize(int bodies) {
   frames.resize(bodies);
   loads.resize(bodies, PlanarVector());
-  weights.resize(bodies, PlanarVector());
   info.resize(bodies, PlanarBodyInfo());
   listed.resize(bodies, PlanarListed());
   const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
@@ -161,26 +164,52 @@ void PlanarScene::Data::fill_past(int body) {
   for (int k = 0; k < settings.order - 1; ++k) {
     past_acceleration[k][body] = PlanarVector();
     for (int d = 0; d < 3; ++d)
-      past_velocity[k][body].d[d] = frames[body].velocity[d] - (k + 1) * settings.dt *
-                                                                   inverse_inertia[body].d[d] *
-                                                                   loads[body].d[d];
+      past_velocity[k][body].d[d] =
+          frames[body].velocity[d] - (k + 1) * settings.dt * inertia[body].d[d] * loads[body].d[d];
   }
 }
 
-void PlanarScene::Data::integrate() {
+/// Bodies move part by part, and forces follow at once.
+void PlanarScene::Data::step() {
+  now += 1.0;
   for (int body : missed) make_missed_motion(body);
   missed.clear();
   for (int body : newborn) fill_past(body);
   newborn.clear();
+  if (statistics.steps % 256 == 128) sort_blocks();
+  PlanarMotions of_part = motions();
+  const int last = parts.count() - 1;
+  for (int part = 0; part < last; ++part) {
+    of_part.bodies = parts.bodies(part);
+    to_list.resize(of_part.bodies.end - of_part.bodies.first);
+    of_part.to_list = to_list.data();
+    to_list.resize(kernel.advance(of_part));
+    renew_lists();
+    evaluate_forces(part);
+  }
+  // The rates that were the oldest have been overwritten by those of this step.
+  const int order = settings.order;
+  if (order > 1) {
+    std::rotate(past_velocity, past_velocity + order - 2, past_velocity + order - 1);
+    std::rotate(past_acceleration, past_acceleration + order - 2, past_acceleration + order - 1);
+  }
+  if (halo) halo->update(*this);
+  renew_lists();
+  evaluate_forces(last);
+  end_forces();
+  if (follows) apply_events();
+  ++statistics.steps;
+}
+
+PlanarMotions PlanarScene::Data::motions() {
   const int order = settings.order;
   PlanarMotions motions = PlanarMotions();
-  motions.count = owned;
   motions.order = order;
   motions.dt = settings.dt;
   motions.frames = frames.data();
   motions.loads = loads.data();
-  motions.weights = weights.data();
-  motions.inverse_inertia = inverse_inertia.data();
+  motions.gravity = {{settings.gravity[0], settings.gravity[1], 0.0, 0.0}};
+  motions.inertia = inertia.data();
   for (int k = 0; k < order - 1; ++k) {
     motions.past_velocity[k] = past_velocity[k].data();
     motions.past_acceleration[k] = past_acceleration[k].data();
@@ -194,17 +223,14 @@ void PlanarScene::Data::integrate() {
   }
   motions.listed = listed_lanes.data();
   motions.moved = moved.data();
-  to_list.resize(info.size());
-  motions.to_list = to_list.data();
-  to_list.resize(kernel.advance(motions));
-  // The rates that were the oldest have been overwritten by those of this step.
-  if (order > 1) {
-    std::rotate(past_velocity, past_velocity + order - 2, past_velocity + order - 1);
-    std::rotate(past_acceleration, past_acceleration + order - 2, past_acceleration + order - 1);
-  }
+  return motions;
 }
 
-void PlanarScene::Data::begin_forces() { std::copy(weights.begin(), weights.end(), loads.begin()); }
+void PlanarScene::Data::begin_forces() {
+  std::fill(loads.begin(), loads.end(), PlanarVector());
+  for (int b = 0; b < owned; ++b)
+    for (int d = 0; d < 2; ++d) loads[b].d[d] = inertia[b].d[3] * settings.gravity[d];
+}
 
 /// What the forces' changes of branch have missed, and the records of the past that continue the
 /// new branches backwards: as in FixMultisphereAB.
@@ -218,7 +244,7 @@ void PlanarScene::Data::apply_events() {
       return d < 2 ? (sum.force.*part)[d] : (sum.torque.*part)[2];
     };
     for (int d = 0; d < 3; ++d) {
-      const double inverse = inverse_inertia[b].d[d];
+      const double inverse = inertia[b].d[d];
       motion.acceleration[d] = inverse * value(&ForceChange::now, d);
       motion.velocity[d] = missed_velocity[b].d[d] = inverse * value(&ForceChange::impulse, d);
       motion.displacement[d] = missed_displacement[b].d[d] =
@@ -233,7 +259,7 @@ void PlanarScene::Data::apply_events() {
       const double age = k * settings.dt;
       for (int d = 0; d < 3; ++d) {
         const ForceChange& change = d < 2 ? sum.force : sum.torque;
-        const double inverse = inverse_inertia[b].d[d];
+        const double inverse = inertia[b].d[d];
         past_velocity[k - 1][b].d[d] += inverse * change.past_momentum(d, age);
         past_acceleration[k - 1][b].d[d] += inverse * change.past_force(d, age);
       }
@@ -262,7 +288,8 @@ void PlanarScene::evaluate() {
   Data& d = *data_;
   d.make_lists();
   d.begin_forces();
-  d.evaluate_forces();
+  for (int part = 0; part < d.parts.count(); ++part) d.evaluate_forces(part);
+  d.end_forces();
   d.events.forget_changes();  // no step has gone by that could have missed something
 }
 
@@ -270,16 +297,7 @@ long PlanarScene::run(long steps) {
   Data& d = *data_;
   d.make_lists();
   long step = 0;
-  for (; step < steps && !(d.halo && d.halo->far_away()); ++step) {
-    d.now += 1.0;
-    d.integrate();
-    if (d.halo) d.halo->update(d);
-    if (!d.to_list.empty()) d.renew_lists();
-    if (d.statistics.steps % 256 == 128) d.sort_blocks();
-    d.evaluate_forces();
-    if (d.follows) d.apply_events();
-    ++d.statistics.steps;
-  }
+  for (; step < steps && !(d.halo && d.halo->far_away()); ++step) d.step();
   if (d.halo) d.halo->check(d);
   return step;
 }
@@ -346,12 +364,11 @@ std::vector<PlanarContactState> PlanarScene::contacts() const {
         state.uncut = saved.uncut;
         state.touch_rate = saved.touch_rate;
         state.fresh = saved.fresh;
-        const PlanarBlockHead& head = pool->heads[place];
-        state.constants[0] = data_->laws[head.law].friction;
-        state.constants[1] = data_->laws[head.law].kt;
-        state.constants[2] = head.gamma[1];
         PlanarContact contact;
         data_->place_lane(*pool, place, lane, contact);
+        state.constants[0] = data_->laws[pool->laws[place]].friction;
+        state.constants[1] = contact.kt;
+        state.constants[2] = contact.gammat;
         std::copy(contact.en, contact.en + 2, state.normal);
         result.push_back(state);
       }

@@ -13,6 +13,11 @@
 
 namespace rodpack {
 
+/// From `first` up to `end`.
+struct PlanarRange {
+  int first, end;
+};
+
 constexpr int planar_lanes = 2;
 constexpr int planar_group = 4;  // blocks whose values lie side by side, as many as a kernel takes
 constexpr int planar_row = planar_group * planar_lanes;
@@ -21,26 +26,40 @@ constexpr int planar_row = planar_group * planar_lanes;
 /// second may be a wall. What tells whether anything happens in a block:
 struct alignas(16) PlanarBlockHead {
   std::int32_t i, j;  // bodies; j = -1 - wall
-  double gap;         // the least between spheres where the bodies were listed, m
-  double gamma[2];    // dashpots along the normal and the tangent, kg/s
-  std::int32_t law;   // place of the other constants in PlanarForces::laws
+  float gap;          // spheres are farther from each other where the bodies were listed, m
   // Bit per lane. mature: its history is full. Together they are `flags` of the inner loops.
   std::uint8_t used, alive, mature, sliding;
 };
 
-/// Places of what is known about the lanes of a block in its values, each for all lanes: rows,
-/// which the blocks of a group share.
+/// Places of what is known about a block in its values, mostly one for each lane: rows, which the
+/// blocks of a group share.
 enum PlanarBlockValue {
   // centres of the spheres in the frames of their bodies, m; unused lanes repeat the first
   planar_xi = 0,
   planar_yi = planar_row,
   planar_xj = 2 * planar_row,
   planar_yj = 3 * planar_row,
+  planar_gammas = 4 * planar_row,  // dashpots along the normal and the tangent, kg/s
   // what a contact remembers: spring (m), force before the cut at 0 (N), and `slots` tangential
   // velocities (m/s), a ring that turns by one in each step
-  planar_spring = 4 * planar_row,
-  planar_uncut = 5 * planar_row,
-  planar_velocities = 6 * planar_row
+  planar_spring = 5 * planar_row,
+  planar_uncut = 6 * planar_row,
+  planar_velocities = 7 * planar_row
+};
+
+/// Bodies that move one part after the other, in the order of their numbers; the last part: those
+/// of other ranks.
+struct PlanarParts {
+  int owned, size;  // bodies of this rank, and of a part
+
+  int count() const { return (owned + size - 1) / size + 1; }
+  /// Bodies of a part but the last.
+  PlanarRange bodies(int part) const { return {part * size, std::min(owned, (part + 1) * size)}; }
+  /// That in which both bodies of a block have moved.
+  int of(const PlanarBlockHead& head) const {
+    const int last = std::max(head.i, head.j);
+    return last < owned ? last / size : count() - 1;
+  }
 };
 
 /// Constants of the contacts of two types. friction: mu k_n, N/m.
@@ -56,28 +75,33 @@ struct PlanarBlockBirth {
   bool fresh[planar_lanes];
 };
 
-/// Blocks in groups, and the list of them for each body. Places that no block has are holes, which
-/// new ones fill: nothing is alive in them, their gap is endless, they name a body or wall that is
-/// there, and the spheres that they name do not coincide, so that their distance has an inverse.
+/// Blocks in groups, and the list of them for each body. Places that no block has are holes:
+/// nothing is alive in them, their gap is endless, they name a body or wall that is there, and the
+/// spheres that they name do not coincide, so that their distance has an inverse.
+///
+/// Blocks lie in the order in which their bodies move, part of the bodies by part, so that forces
+/// follow the motion while both are near the processor. New blocks come behind all that order.
 class PlanarBlockPool {
  public:
   /// hole_j: of the holes, 0 or, if the blocks are of walls, -1.
   PlanarBlockPool(int bodies, int slots, int hole_j) : slots(slots), of_body_(bodies) {
     hole_.j = hole_j;
-    hole_.gap = std::numeric_limits<double>::infinity();
+    hole_.gap = std::numeric_limits<float>::infinity();
   }
 
   void resize(int bodies) { of_body_.resize(bodies); }
   int size() const { return static_cast<int>(heads.size()); }  // with holes
-  int filled() const { return size() - static_cast<int>(holes_.size()); }
+  int filled() const { return filled_; }
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
   /// The values of a new block are 0, or those of a removed one.
-  int add(const PlanarBlockHead& head, const PlanarBlockBirth& birth) {
+  int add(const PlanarBlockHead& head, int law, const PlanarBlockBirth& birth) {
     if (holes_.empty()) resize_blocks(size(), size() + 1);
+    ++filled_;
     const int place = holes_.back();
     holes_.pop_back();
     heads[place] = head;
+    laws[place] = law;
     births[place] = birth;
     of_body_[head.i].push_back(place);
     if (head.j >= 0) of_body_[head.j].push_back(place);
@@ -90,14 +114,19 @@ class PlanarBlockPool {
       const int other = head.i == body ? head.j : head.i;
       if (other >= 0) forget(other, place);
       make_hole(place);
+      --filled_;
     }
     of_body_[body].clear();
   }
 
   /// Puts the blocks in the given order, without holes but for the last group: order[k] is the
-  /// present place of the k-th. The first `touching` of them may go on to touch.
-  void reorder(const std::vector<int>& order, int touching);
-  int touching() const { return touching_; }
+  /// present place of the k-th. The first `touching` of them may go on to touch; they, and the
+  /// others, are in the order of their parts.
+  void reorder(const std::vector<int>& order, int touching, const PlanarParts& parts);
+  /// Whole groups whose bodies are in the parts up to this one, and not in those before; of the
+  /// last one: all that is left.
+  PlanarRange touching(int part) const;
+  PlanarRange others(int part) const;
 
   /// Place of the velocities k steps back in the values; `turned`: as after the next turn.
   int velocity(int k, bool turned = false) const {
@@ -112,6 +141,7 @@ class PlanarBlockPool {
   const int slots;
   AlignedVector<PlanarBlockHead> heads;
   AlignedVector<double> all_values;
+  std::vector<int> laws;  // places of the other constants in PlanarForces::laws
   std::vector<PlanarBlockBirth> births;
 
  private:
@@ -125,6 +155,7 @@ class PlanarBlockPool {
     const int groups = (blocks + planar_group - 1) / planar_group;
     heads.resize(groups * planar_group);
     all_values.resize(static_cast<std::size_t>(groups) * rows() * planar_row);
+    laws.resize(groups * planar_group);
     births.resize(groups * planar_group);
     for (int place = size() - 1; place >= filled; --place) make_hole(place);
   }
@@ -135,7 +166,7 @@ class PlanarBlockPool {
     std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
     for (int row : {planar_yi, planar_xj, planar_yj})
       std::fill_n(of_place + row, planar_lanes, 0.0);
-    holes_.push_back(place);
+    if (place >= ordered_) holes_.push_back(place);
   }
 
   void forget(int body, int place) {
@@ -150,11 +181,14 @@ class PlanarBlockPool {
 
   PlanarBlockHead hole_ = PlanarBlockHead();
   std::vector<std::vector<int>> of_body_;
-  std::vector<int> holes_;
-  int newest_ = 0, touching_ = 0;
+  std::vector<int> holes_;  // that new blocks may fill
+  int newest_ = 0, filled_ = 0;
+  int ordered_ = 0;                                     // blocks in order, whole groups
+  std::vector<int> ends_of_touching_, ends_of_others_;  // of each part but the last
   // Room for reorder(), kept: memory that the system gives anew costs more than the sorting.
   AlignedVector<PlanarBlockHead> spare_heads_;
   AlignedVector<double> spare_values_;
+  std::vector<int> spare_laws_;
   std::vector<PlanarBlockBirth> spare_births_;
 };
 

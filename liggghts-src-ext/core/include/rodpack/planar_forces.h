@@ -31,8 +31,9 @@ struct PlanarForces {
   // blocks
   PlanarBlockHead* heads;
   double* values;
-  int count, rows;                    // whole groups
-  int touching;                       // blocks in front that are not worth a look at their gap
+  const int* block_laws;
+  int rows;
+  PlanarRange touching, others;       // whole groups; touching: not worth a look at their gap
   int velocity[max_multistep_order];  // places of those k + 1 steps back in them
   int newest;                         // of that of now
   // bodies
@@ -68,12 +69,13 @@ struct alignas(64) PlanarListedLanes {
 
 /// Bodies, and what their motion needs.
 struct PlanarMotions {
-  int count, order;
+  PlanarRange bodies;  // from the first of a register on
+  int order;
   double dt;
   PlanarFrame* frames;
-  PlanarVector* loads;          // become `weights`, for the forces of the next evaluation
-  const PlanarVector* weights;  // force and torque without contacts
-  const PlanarVector* inverse_inertia;
+  PlanarVector* loads;  // become weights, for the forces of the next evaluation
+  PlanarVector gravity;
+  const PlanarVector* inertia;  // 1/mass, 1/mass, 1/moment, mass
   PlanarVector *past_velocity[max_multistep_order], *past_acceleration[max_multistep_order];
   signed char* evaluations;
   double velocity_weights[max_multistep_order];

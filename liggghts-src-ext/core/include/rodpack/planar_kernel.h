@@ -31,11 +31,10 @@ struct LaneForces {
 
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
 /// step. `sliding`: lanes that slid; becomes those that do.
-inline LaneForces lasting_forces(const PlanarBlockHead* heads, double* values, Lanes overlap,
-                                 Lanes vn, Lanes vt, int lasting, int& sliding,
-                                 const PlanarForces& forces) {
+inline LaneForces lasting_forces(int first, double* values, Lanes overlap, Lanes vn, Lanes vt,
+                                 int lasting, int& sliding, const PlanarForces& forces) {
   const double* gammas[lane_blocks];
-  for (int b = 0; b < lane_blocks; ++b) gammas[b] = heads[b].gamma;
+  for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
   const Lanes zero = all_lanes(0.0);
   Lanes gamma_n, gamma_t;
   each_two(gammas, 0, gamma_n, gamma_t);
@@ -45,7 +44,7 @@ inline LaneForces lasting_forces(const PlanarBlockHead* heads, double* values, L
   if (!forces.one_law) {
     const double* laws[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b)
-      laws[b] = reinterpret_cast<const double*>(&forces.laws[heads[b].law]);
+      laws[b] = reinterpret_cast<const double*>(&forces.laws[forces.block_laws[first + b]]);
     each_two(laws, 0, kn, kt);
     each_two(laws, 2, inverse_kt, friction);
   }
@@ -171,7 +170,7 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first, const Plana
   each_two(frame_j, frame_velocity, vxj, vyj);
   const Lanes ux = (vxi - vxj) - wi * piy + wj * pjy, uy = (vyi - vyj) + wi * pix - wj * pjx;
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
+  const LaneForces force = lasting_forces(first, values, overlap, ux * nx + uy * ny,
                                           uy * nx - ux * ny, lasting, sliding, forces);
   set_sliding(heads, sliding);
   double *load_i[lane_blocks], *load_j[lane_blocks];
@@ -192,13 +191,14 @@ inline void enter_general(int first, int general, const PlanarForces& forces, in
       forces.general[entries++] = {first + b, general & all_of_block};
 }
 
-/// Lists where lane_blocks begin: all of them in front, and those behind in which spheres may have
+/// Lists where lane_blocks begin: all that touch, and those of the others in which spheres may have
 /// met: since they were listed both bodies together have moved by the gap. Without branches, as
 /// there is no telling which.
 inline int find_awake(const PlanarForces& forces) {
-  int count = 0, first = 0;
-  for (; first < forces.touching; first += lane_blocks) forces.awake[count++] = first;
-  for (; first < forces.count; first += lane_blocks) {
+  int count = 0;
+  for (int first = forces.touching.first; first < forces.touching.end; first += lane_blocks)
+    forces.awake[count++] = first;
+  for (int first = forces.others.first; first < forces.others.end; first += lane_blocks) {
     int awake = 0;
     for (int b = 0; b < lane_blocks; ++b) {
       const PlanarBlockHead& head = forces.heads[first + b];

@@ -38,7 +38,7 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   each_two(frame, frame_velocity, vx, vy);
   const Lanes ux = vx - spin * py, uy = vy + spin * px;
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces(heads, values, overlap, ux * nx + uy * ny,
+  const LaneForces force = lasting_forces(first, values, overlap, ux * nx + uy * ny,
                                           uy * nx - ux * ny, lasting, sliding, forces);
   set_sliding(heads, sliding);
   const Lanes fx = force.normal * nx - force.tangential * ny;
@@ -55,10 +55,11 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
 
 int evaluate_walls(const PlanarForces& forces) {
   int entries = 0;
-  for (int first = 0; first < forces.count; first += lane_blocks) {
-    const int general = evaluate_wall_blocks(first, forces);
-    if (general != 0) enter_general(first, general, forces, entries);
-  }
+  for (const PlanarRange& range : {forces.touching, forces.others})
+    for (int first = range.first; first < range.end; first += lane_blocks) {
+      const int general = evaluate_wall_blocks(first, forces);
+      if (general != 0) enter_general(first, general, forces, entries);
+    }
   return entries;
 }
 
@@ -69,20 +70,21 @@ inline Lanes advance_velocity(const PlanarMotions& motions, int body) {
   const double* const of_force = motions.force_weights[motions.evaluations[body]];
   double *const load = motions.loads[body].d, *const velocity = motions.frames[body].velocity;
   const Lanes v = load_lanes(velocity);
-  const Lanes a = load_lanes(load) * load_lanes(motions.inverse_inertia[body].d);
-  store_lanes(load, load_lanes(motions.weights[body].d));
+  const double* const inertia = motions.inertia[body].d;
+  const Lanes a = load_lanes(load) * load_lanes(inertia);
+  store_lanes(load, all_lanes(inertia[3]) * load_lanes(motions.gravity.d));
   Lanes dx = motions.velocity_weights[0] * v, dv = of_force[0] * a;
   for (int k = 0; k < order - 1; ++k) {
     dx += motions.velocity_weights[k + 1] * load_lanes(motions.past_velocity[k][body].d);
     dv += of_force[k + 1] * load_lanes(motions.past_acceleration[k][body].d);
   }
-  // The oldest rates make room for those of this step. The radius beside the velocity has no
-  // acceleration.
+  // The oldest rates make room for those of this step.
   if (order > 1) {
     store_lanes(motions.past_velocity[order - 2][body].d, v);
     store_lanes(motions.past_acceleration[order - 2][body].d, a);
   }
-  store_lanes(velocity, v + motions.dt * dv);
+  const Lanes but_the_radius = {1.0, 1.0, 1.0, 0.0};
+  store_lanes(velocity, v + motions.dt * (dv * but_the_radius));
   return dx;
 }
 
@@ -108,13 +110,13 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
   }
 }
 
-/// rigid_motion.h's planar step for all bodies; the rotation by the increment of the angle is made
-/// on cosine and sine.
+/// rigid_motion.h's planar step for these bodies; the rotation by the increment of the angle is
+/// made on cosine and sine.
 int advance(const PlanarMotions& motions) {
   int entries = 0;
-  for (int first = 0; first < motions.count; first += body_lanes) {
+  for (int first = motions.bodies.first; first < motions.bodies.end; first += body_lanes) {
     // Bodies beyond the last repeat it.
-    const int left = motions.count - first, members = left < body_lanes ? left : body_lanes;
+    const int left = motions.bodies.end - first, members = left < body_lanes ? left : body_lanes;
     Lanes motion[body_lanes], place[body_lanes];
     for (int k = 0; k < body_lanes; ++k) {
       motion[k] = k < members ? advance_velocity(motions, first + k) : motion[members - 1];

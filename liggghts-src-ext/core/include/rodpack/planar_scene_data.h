@@ -61,7 +61,8 @@ struct PlanarScene::Data {
   ~Data();
 
   // planar_scene.cpp
-  void integrate();
+  void step();
+  PlanarMotions motions();
   void make_missed_motion(int body);
   void fill_past(int body);
   void apply_events();
@@ -81,10 +82,15 @@ struct PlanarScene::Data {
   void list_walls(int i);
   void sort_blocks();
   double wanted_skin(int body) const;
-  void set_coefficients(PlanarBlockHead& head) const;
+  struct Coefficients {  // of a block
+    int law;
+    double gamma[2];
+  };
+  Coefficients coefficients(int i, int j) const;
   // planar_forces.cpp
-  void evaluate_forces();
-  PlanarForces forces_of(PlanarBlockPool& pool);
+  void evaluate_forces(int part);
+  void end_forces();
+  PlanarForces forces_of(PlanarBlockPool& pool, int part);
   void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
   bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
@@ -101,12 +107,13 @@ struct PlanarScene::Data {
   bool lists_exist = false;
   double longest = 0.0;  // reach of all bodies, of other ranks too
   int owned = 0;         // bodies of this rank; ghosts follow them
+  PlanarParts parts;
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
 
   AlignedVector<PlanarFrame> frames;
-  AlignedVector<PlanarVector> loads, weights;  // weight: force and torque without contacts
-  AlignedVector<PlanarVector> inverse_inertia;
+  AlignedVector<PlanarVector> loads;
+  AlignedVector<PlanarVector> inertia;  // 1/mass, 1/mass, 1/moment, mass
   AlignedVector<PlanarVector> past_velocity[max_multistep_order - 1];  // k + 1 steps back
   AlignedVector<PlanarVector> past_acceleration[max_multistep_order - 1];
   std::vector<std::int8_t> evaluations;
