@@ -9,15 +9,10 @@
 
 namespace rodpack {
 
-/// Of the blocks of a part; each part once, and then end_forces().
+/// Of the blocks of a part.
 void PlanarScene::Data::evaluate_forces(int part) {
   evaluate_general(pairs, kernel.pairs(forces_of(pairs, part)));
   evaluate_general(at_walls, kernel.walls(forces_of(at_walls, part)));
-}
-
-void PlanarScene::Data::end_forces() {
-  pairs.turn();
-  at_walls.turn();
 }
 
 PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool, int part) {
@@ -126,13 +121,13 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   along(lane_state.spring, history.spring());
   for (int k = 0; k < slots; ++k) along(lane_state.velocity[k], history.velocity(k));
   history.count() = !alive ? 0.0 : lane_state.sliding ? -lane_state.count : lane_state.count;
-  history.step() = now - 1.0;
+  history.step() = static_cast<double>(now - 1);
   history.since() = lane_state.since;
   history.constants()[0] = friction;
   history.constants()[1] = contact.kt;
   history.constants()[2] = contact.gammat;
   NormalHistory normal_history = {lane_state.uncut, lane_state.touch_rate,
-                                  lane_state.fresh ? 1.0 : 0.0, now};
+                                  lane_state.fresh ? 1.0 : 0.0, static_cast<double>(now)};
   PlanarEvents* const followed = follows ? &events : nullptr;
 
   if (!touches) {

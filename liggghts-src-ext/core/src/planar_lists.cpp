@@ -69,6 +69,12 @@ void PlanarGrid::unlink(int body) {
   if (next_[body] >= 0) previous_[next_[body]] = previous_[body];
 }
 
+namespace {
+
+int round_up(int blocks) { return (blocks + planar_group - 1) / planar_group * planar_group; }
+
+}  // namespace
+
 void PlanarBlockPool::reorder(const std::vector<int>& order, int touching,
                               const PlanarParts& parts) {
   heads.swap(spare_heads_);
@@ -76,11 +82,18 @@ void PlanarBlockPool::reorder(const std::vector<int>& order, int touching,
   all_values.swap(spare_values_);
   births.swap(spare_births_);
   for (std::vector<int>& list : of_body_) list.clear();
+  early_holes_.clear();
   holes_.clear();
-  filled_ = static_cast<int>(order.size());
-  ordered_ = filled_ - filled_ % planar_group;
-  resize_blocks(filled_, filled_);
-  for (int k = 0; k < filled_; ++k) {
+  filled_ = 0;
+  const int count = static_cast<int>(order.size());
+  ordered_ = round_up(count);
+  resize_blocks(count, count);
+  for (int k = 0; k < count; ++k) {
+    if (order[k] < 0) {
+      make_hole(k);
+      continue;
+    }
+    ++filled_;
     heads[k] = spare_heads_[order[k]];
     laws[k] = spare_laws_[order[k]];
     births[k] = spare_births_[order[k]];
@@ -92,18 +105,17 @@ void PlanarBlockPool::reorder(const std::vector<int>& order, int touching,
     if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
   }
 
+  // Holes name the first body: they are of no part that is too late.
   const auto find_ends = [&](int first, int end, std::vector<int>& ends) {
     ends.clear();
-    for (int part = 0; part < parts.count() - 1; ++part) {
+    for (int part = 0; part < parts.last(); ++part) {
       while (first < end && parts.of(heads[first]) <= part) ++first;
       ends.push_back(first - first % planar_group);
     }
+    ends.push_back(end);
   };
   find_ends(0, touching, ends_of_touching_);
-  ends_of_touching_.push_back(touching + (planar_group - touching % planar_group) % planar_group);
-  find_ends(touching, filled_, ends_of_others_);
-  // What of a group touches decides.
-  for (int& end : ends_of_others_) end = std::max(end, ends_of_touching_.back());
+  find_ends(touching, ordered_, ends_of_others_);
 }
 
 PlanarRange PlanarBlockPool::touching(int part) const {
@@ -112,10 +124,33 @@ PlanarRange PlanarBlockPool::touching(int part) const {
 }
 
 PlanarRange PlanarBlockPool::others(int part) const {
-  const int parts = static_cast<int>(ends_of_others_.size());
-  if (ends_of_touching_.empty()) return {0, 0};
-  return {part == 0 ? ends_of_touching_.back() : ends_of_others_[part - 1],
-          part == parts ? size() : ends_of_others_[part]};
+  const int last = static_cast<int>(ends_of_others_.size()) - 1;
+  if (last < 0) return {0, 0};
+  return {part == 0 ? ends_of_touching_[last] : ends_of_others_[part - 1],
+          part == last ? size() : ends_of_others_[part]};
+}
+
+int PlanarBlockPool::part_of(int place) const {
+  const int last = static_cast<int>(ends_of_others_.size()) - 1;
+  if (place >= ordered_ || last < 0) return std::max(last, 0);
+  const std::vector<int>& ends =
+      place < ends_of_touching_[last] ? ends_of_touching_ : ends_of_others_;
+  return static_cast<int>(std::upper_bound(ends.begin(), ends.end(), place) - ends.begin());
+}
+
+int PlanarBlockPool::take_hole(int part) {
+  // What has just been removed comes back in most cases.
+  const int count = static_cast<int>(early_holes_.size());
+  for (int k = count - 1; k >= 0 && k >= count - 16; --k) {
+    if (part_of(early_holes_[k]) < part) continue;
+    const int place = early_holes_[k];
+    early_holes_.erase(early_holes_.begin() + k);
+    return place;
+  }
+  if (holes_.empty()) resize_blocks(size(), size() + 1);
+  const int place = holes_.back();
+  holes_.pop_back();
+  return place;
 }
 
 void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved) {
@@ -163,6 +198,10 @@ void clear_lane(PlanarBlockPool& pool, int place, int lane) {
   restore_lane(pool, place, lane, PlanarScene::Data::Saved());
 }
 
+// What is found next to a body when it is listed anew may be some steps ahead of it, so it is
+// listed before it has gone all its skin.
+const double before_its_skin = 0.98;
+
 double PlanarScene::Data::wanted_skin(int body) const {
   const double* v = frames[body].velocity;
   const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1]) + listed[body].reach * std::fabs(v[2]);
@@ -194,7 +233,7 @@ void PlanarScene::Data::mark_listed(int body) {
   lanes.cosine[lane] = at.cosine;
   lanes.sine[lane] = at.sine;
   lanes.reach[lane] = at.reach;
-  lanes.skin[lane] = at.skin;
+  lanes.skin[lane] = before_its_skin * at.skin;
   moved[body] = 0.0;
 }
 
@@ -270,22 +309,27 @@ void PlanarScene::Data::list(int body) {
 
 namespace {
 
-/// Two spheres that may touch, and the gap between them where their bodies were listed (m).
-struct Candidate {
-  double gap;
-  int sphere_i, sphere_j;
-};
+std::vector<PlanarScene::Data::Candidate>& no_candidates() {
+  static thread_local std::vector<PlanarScene::Data::Candidate> candidates;
+  candidates.clear();
+  return candidates;
+}
+
+}  // namespace
 
 /// Puts candidates of i and j into blocks, the closest first: so those that touch share blocks.
-void add_blocks(PlanarBlockPool& pool, int i, int j,
-                const PlanarScene::Data::Coefficients& coefficients,
-                std::vector<Candidate>& candidates, const PlanarSphere* of_i,
-                const PlanarSphere* of_j) {
+void PlanarScene::Data::add_blocks(PlanarBlockPool& pool, int i, int j,
+                                   std::vector<Candidate>& candidates) {
+  if (candidates.empty()) return;
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.gap != b.gap             ? a.gap < b.gap
            : a.sphere_i != b.sphere_i ? a.sphere_i < b.sphere_i
                                       : a.sphere_j < b.sphere_j;
   });
+  const PlanarSphere none = PlanarSphere();
+  const PlanarSphere* const of_i = &spheres[info[i].first];
+  const PlanarSphere* const of_j = j < 0 ? &none : &spheres[info[j].first];
+  const Coefficients of_both = coefficients(i, j);
   const int count = static_cast<int>(candidates.size());
   for (int first = 0; first < count; first += planar_lanes) {
     PlanarBlockBirth birth = PlanarBlockBirth();
@@ -301,8 +345,10 @@ void add_blocks(PlanarBlockPool& pool, int i, int j,
       birth.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);
       birth.sphere_j[lane] = static_cast<std::uint16_t>(pair.sphere_j);
     }
-    double* const values = pool.values(pool.add(head, coefficients.law, birth));
-    std::copy_n(coefficients.gamma, 2, values + planar_gammas);
+    const int place = pool.add(parts.of(head), head, of_both.law, birth);
+    completes(head, pool.part_of(place));
+    double* const values = pool.values(place);
+    std::copy_n(of_both.gamma, 2, values + planar_gammas);
     for (int lane = 0; lane < planar_lanes; ++lane) {
       const PlanarSphere &i = of_i[birth.sphere_i[lane]], &j = of_j[birth.sphere_j[lane]];
       values[planar_xi + lane] = i.x;
@@ -312,14 +358,6 @@ void add_blocks(PlanarBlockPool& pool, int i, int j,
     }
   }
 }
-
-std::vector<Candidate>& no_candidates() {
-  static thread_local std::vector<Candidate> candidates;
-  candidates.clear();
-  return candidates;
-}
-
-}  // namespace
 
 void PlanarScene::Data::list_pair(int i, int j) {
   const PlanarListed &a = listed[i], &b = listed[j];
@@ -331,7 +369,7 @@ void PlanarScene::Data::list_pair(int i, int j) {
   const double touch = info[i].radius + info[j].radius, near_by = touch + a.skin + b.skin;
   const double around_j = b.reach - info[j].radius + near_by;
 
-  std::vector<Candidate>& candidates = no_candidates();
+  std::vector<PlanarScene::Data::Candidate>& candidates = no_candidates();
   const PlanarSphere* const of_i = &spheres[info[i].first];
   const PlanarSphere* const of_j = &spheres[info[j].first];
   for (int k = 0; k < info[i].count; ++k) {
@@ -342,19 +380,18 @@ void PlanarScene::Data::list_pair(int i, int j) {
       if (square < near_by * near_by) candidates.push_back({std::sqrt(square) - touch, k, l});
     }
   }
-  if (!candidates.empty()) add_blocks(pairs, i, j, coefficients(i, j), candidates, of_i, of_j);
+  add_blocks(pairs, i, j, candidates);
 }
 
 void PlanarScene::Data::list_walls(int i) {
   const PlanarListed& a = listed[i];
   const double radius = info[i].radius;
   const PlanarSphere* const of_i = &spheres[info[i].first];
-  const PlanarSphere none = PlanarSphere();
   for (std::size_t w = 0; w < settings.walls.size(); ++w) {
     const PlanarWall& wall = settings.walls[w];
     const double centre = (wall.axis == 0 ? a.x : a.y) - wall.position;
     if (wall.side_of(centre) * centre > a.reach + a.skin) continue;
-    std::vector<Candidate>& candidates = no_candidates();
+    std::vector<PlanarScene::Data::Candidate>& candidates = no_candidates();
     const double along_x = wall.axis == 0 ? a.cosine : a.sine;
     const double along_y = wall.axis == 0 ? -a.sine : a.cosine;
     for (int k = 0; k < info[i].count; ++k) {
@@ -362,35 +399,43 @@ void PlanarScene::Data::list_walls(int i) {
       const double gap = wall.side_of(distance) * distance - radius;
       if (gap < a.skin) candidates.push_back({gap, k, 0});
     }
-    const int j = -1 - static_cast<int>(w);
-    if (!candidates.empty())
-      add_blocks(at_walls, i, j, coefficients(i, j), candidates, of_i, &none);
+    add_blocks(at_walls, i, -1 - static_cast<int>(w), candidates);
   }
 }
 
 /// Touching blocks first, each kind in the order in which their bodies have both moved.
 void PlanarScene::Data::sort_blocks() {
+  for (int part = 0; part < parts.count(); ++part) complete[part] = part;
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
-    int touching = 0;
-    near.clear();
-    for (int k = 0; k < pool->size(); ++k) {
-      if (pool->heads[k].used == 0) continue;
-      near.push_back(k);
-      if (pool->heads[k].alive != 0) ++touching;
-    }
     const AlignedVector<PlanarBlockHead>& heads = pool->heads;
+    near.clear();
+    for (int k = 0; k < pool->size(); ++k)
+      if (heads[k].used != 0) near.push_back(k);
+    const auto touches = [&](int k) { return heads[k].alive != 0; };
     std::sort(near.begin(), near.end(), [&](int a, int b) {
-      const bool touches_a = heads[a].alive != 0, touches_b = heads[b].alive != 0;
-      if (touches_a != touches_b) return touches_a;
-      const int last_a = std::max(heads[a].i, heads[a].j),
-                last_b = std::max(heads[b].i, heads[b].j);
+      if (touches(a) != touches(b)) return touches(a);
+      const int last_a = std::max(heads[a].i, heads[a].j);
+      const int last_b = std::max(heads[b].i, heads[b].j);
       if (last_a != last_b) return last_a < last_b;
       if (heads[a].i != heads[b].i) return heads[a].i < heads[b].i;
       if (heads[a].j != heads[b].j) return heads[a].j < heads[b].j;
       return a < b;
     });
-    pool->reorder(near, touching, parts);
+    const auto others = std::partition_point(near.begin(), near.end(), touches);
+    const int touching = static_cast<int>(others - near.begin());
+    near.insert(others, round_up(touching) - touching, -1);
+    pool->reorder(near, round_up(touching), parts);
+    for (int part = 0; part < parts.count(); ++part)
+      for (const PlanarRange& range : {pool->touching(part), pool->others(part)})
+        for (int k = range.first; k < range.end; ++k)
+          if (heads[k].used != 0) completes(heads[k], part);
   }
+}
+
+/// The forces on the bodies of a block are not complete before this part.
+void PlanarScene::Data::completes(const PlanarBlockHead& head, int part) {
+  for (const int body : {head.i, head.j})
+    if (body >= 0) complete[parts.of(body)] = std::max(complete[parts.of(body)], part);
 }
 
 }  // namespace rodpack

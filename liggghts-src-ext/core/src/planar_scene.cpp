@@ -60,14 +60,17 @@ void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
 PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBody>& bodies)
     : settings(given),
       slots(std::max(given.order, given.remembered)),
+      parts{static_cast<int>(bodies.size()), bodies_in_part},
+      complete(parts.count()),
       kernel(planar_kernel(given.instructions)),
+      missed(parts.count()),
+      newborn(parts.count()),
       pairs(static_cast<int>(bodies.size()), slots, 0),
       at_walls(static_cast<int>(bodies.size()), slots, -1),
-      events(static_cast<int>(bodies.size())),
+      events(parts),
       follows(given.events && given.order > 1) {
   const std::size_t count = bodies.size();
   owned = static_cast<int>(count);
-  parts = {owned, bodies_in_part};
   resize(owned);
   for (auto* vectors : {&inertia, &missed_displacement, &missed_velocity})
     vectors->assign(count, PlanarVector());
@@ -108,8 +111,9 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
       missed_velocity[b].d[d] = body.missed_velocity[d];
     }
     inertia[b].d[3] = body.mass;
-    missed.push_back(static_cast<int>(b));
-    if (body.evaluations == 0) newborn.push_back(static_cast<int>(b));
+    const int part = parts.of(static_cast<int>(b));
+    missed[part].push_back(static_cast<int>(b));
+    if (body.evaluations == 0) newborn[part].push_back(static_cast<int>(b));
     for (int k = 0; k < settings.order - 1; ++k) {
       const PlanarRates& past = body.past[k];
       past_velocity[k][b] = {{past.velocity[0], past.velocity[1], past.angular_velocity, 0.0}};
@@ -162,43 +166,68 @@ void PlanarScene::Data::make_missed_motion(int body) {
 
 void PlanarScene::Data::fill_past(int body) {
   for (int k = 0; k < settings.order - 1; ++k) {
-    past_acceleration[k][body] = PlanarVector();
+    past_acceleration[past(k)][body] = PlanarVector();
     for (int d = 0; d < 3; ++d)
-      past_velocity[k][body].d[d] =
+      past_velocity[past(k)][body].d[d] =
           frames[body].velocity[d] - (k + 1) * settings.dt * inertia[body].d[d] * loads[body].d[d];
   }
 }
 
-/// Bodies move part by part, and forces follow at once.
-void PlanarScene::Data::step() {
-  now += 1.0;
-  for (int body : missed) make_missed_motion(body);
-  missed.clear();
-  for (int body : newborn) fill_past(body);
-  newborn.clear();
+/// Makes some steps at once: while a part of the bodies is near the processor it goes on to the
+/// next step, as soon as the forces on all of them are complete. So memory is gone through once in
+/// several steps.
+void PlanarScene::Data::sweep(int steps) {
   if (statistics.steps % 256 == 128) sort_blocks();
-  PlanarMotions of_part = motions();
-  const int last = parts.count() - 1;
-  for (int part = 0; part < last; ++part) {
-    of_part.bodies = parts.bodies(part);
-    to_list.resize(of_part.bodies.end - of_part.bodies.first);
-    of_part.to_list = to_list.data();
-    to_list.resize(kernel.advance(of_part));
-    renew_lists();
-    evaluate_forces(part);
+  std::fill_n(made, steps, 0);
+  while (made[steps - 1] < parts.count()) {
+    if (made[0] < parts.count()) step(0);
+    for (int stage = 1; stage < steps; ++stage)
+      while (made[stage] < parts.count() && complete[made[stage]] < made[stage - 1]) step(stage);
   }
-  // The rates that were the oldest have been overwritten by those of this step.
-  const int order = settings.order;
-  if (order > 1) {
-    std::rotate(past_velocity, past_velocity + order - 2, past_velocity + order - 1);
-    std::rotate(past_acceleration, past_acceleration + order - 2, past_acceleration + order - 1);
+  statistics.steps += steps;
+  now = statistics.steps;
+  pairs.turn(steps);
+  at_walls.turn(steps);
+  if (!follows) return;
+  for (int part = 0; part < parts.count(); ++part) apply_events(part);
+}
+
+/// The next part of that step of a sweep.
+void PlanarScene::Data::step(int stage) {
+  const int part = made[stage];
+  now = statistics.steps + stage;
+  if (stage > 0 && follows) apply_events(part);
+  if (part < parts.last()) {
+    move(part);
+    if (stage > 0 && !to_list.empty()) {
+      // New blocks are none of the steps before.
+      std::vector<int> listed_later;
+      listed_later.swap(to_list);
+      for (int before = 0; before < stage; ++before)
+        while (made[before] < parts.count()) step(before);
+      to_list.swap(listed_later);
+      now = statistics.steps + stage;
+    }
+  } else if (halo) {
+    halo->update(*this);
   }
-  if (halo) halo->update(*this);
+  ++now;
+  for (PlanarBlockPool* pool : {&pairs, &at_walls}) pool->look_ahead(stage);
   renew_lists();
-  evaluate_forces(last);
-  end_forces();
-  if (follows) apply_events();
-  ++statistics.steps;
+  evaluate_forces(part);
+  ++made[stage];
+}
+
+void PlanarScene::Data::move(int part) {
+  for (int body : missed[part]) make_missed_motion(body);
+  missed[part].clear();
+  for (int body : newborn[part]) fill_past(body);
+  newborn[part].clear();
+  PlanarMotions of_part = motions();
+  of_part.bodies = parts.bodies(part);
+  to_list.resize(of_part.bodies.end - of_part.bodies.first);
+  of_part.to_list = to_list.data();
+  to_list.resize(kernel.advance(of_part));
 }
 
 PlanarMotions PlanarScene::Data::motions() {
@@ -211,8 +240,8 @@ PlanarMotions PlanarScene::Data::motions() {
   motions.gravity = {{settings.gravity[0], settings.gravity[1], 0.0, 0.0}};
   motions.inertia = inertia.data();
   for (int k = 0; k < order - 1; ++k) {
-    motions.past_velocity[k] = past_velocity[k].data();
-    motions.past_acceleration[k] = past_acceleration[k].data();
+    motions.past_velocity[k] = past_velocity[past(k)].data();
+    motions.past_acceleration[k] = past_acceleration[past(k)].data();
   }
   motions.evaluations = evaluations.data();
   const MultistepWeights& of_velocity = adams_bashforth_weights(order);
@@ -234,9 +263,9 @@ void PlanarScene::Data::begin_forces() {
 
 /// What the forces' changes of branch have missed, and the records of the past that continue the
 /// new branches backwards: as in FixMultisphereAB.
-void PlanarScene::Data::apply_events() {
-  events.forget_jumps();
-  for (const PlanarEvents::Changes& sum : events.changes()) {
+void PlanarScene::Data::apply_events(int part) {
+  events.forget_jumps(part);
+  for (const PlanarEvents::Changes& sum : events.changes(part)) {
     const int b = sum.body;
     if (b >= owned) continue;  // its own rank sees all of its contacts
     PlanarMotionChange motion = {};
@@ -252,7 +281,7 @@ void PlanarScene::Data::apply_events() {
     }
     motion.cosine = frames[b].cosine;
     motion.sine = frames[b].sine;
-    missed.push_back(b);
+    missed[part].push_back(b);
     if (sum.jumps) events.set_jumped(b, motion);
     if (evaluations[b] == 0) continue;  // no past yet
     for (int k = 1; k < settings.order; ++k) {
@@ -260,12 +289,12 @@ void PlanarScene::Data::apply_events() {
       for (int d = 0; d < 3; ++d) {
         const ForceChange& change = d < 2 ? sum.force : sum.torque;
         const double inverse = inertia[b].d[d];
-        past_velocity[k - 1][b].d[d] += inverse * change.past_momentum(d, age);
-        past_acceleration[k - 1][b].d[d] += inverse * change.past_force(d, age);
+        past_velocity[past(k - 1)][b].d[d] += inverse * change.past_momentum(d, age);
+        past_acceleration[past(k - 1)][b].d[d] += inverse * change.past_force(d, age);
       }
     }
   }
-  events.forget_changes();
+  events.forget_changes(part);
 }
 
 PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
@@ -289,15 +318,21 @@ void PlanarScene::evaluate() {
   d.make_lists();
   d.begin_forces();
   for (int part = 0; part < d.parts.count(); ++part) d.evaluate_forces(part);
-  d.end_forces();
-  d.events.forget_changes();  // no step has gone by that could have missed something
+  // No step has gone by that could have missed something.
+  for (int part = 0; part < d.parts.count(); ++part) d.events.forget_changes(part);
+  for (PlanarBlockPool* pool : {&d.pairs, &d.at_walls}) pool->turn(1);
 }
 
 long PlanarScene::run(long steps) {
   Data& d = *data_;
   d.make_lists();
   long step = 0;
-  for (; step < steps && !(d.halo && d.halo->far_away()); ++step) d.step();
+  while (step < steps && !(d.halo && d.halo->far_away())) {
+    // Ghosts want to be brought to each step.
+    const long sweep = d.halo ? 1 : steps_in_sweep - d.statistics.steps % steps_in_sweep;
+    d.sweep(static_cast<int>(std::min(sweep, steps - step)));
+    step += std::min(sweep, steps - step);
+  }
   if (d.halo) d.halo->check(d);
   return step;
 }
@@ -408,7 +443,8 @@ PlanarBody PlanarScene::body(int index) const {
     body.missed_velocity[k] = d.missed_velocity[index].d[k];
   }
   for (int k = 0; k < d.settings.order - 1; ++k) {
-    const double *v = d.past_velocity[k][index].d, *a = d.past_acceleration[k][index].d;
+    const double* v = d.past_velocity[d.past(k)][index].d;
+    const double* a = d.past_acceleration[d.past(k)][index].d;
     body.past[k] = {{v[0], v[1]}, v[2], {a[0], a[1]}, a[2]};
   }
   body.jumped = d.events.jumped(index);

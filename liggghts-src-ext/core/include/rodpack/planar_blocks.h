@@ -53,13 +53,12 @@ struct PlanarParts {
   int owned, size;  // bodies of this rank, and of a part
 
   int count() const { return (owned + size - 1) / size + 1; }
+  int last() const { return count() - 1; }
   /// Bodies of a part but the last.
   PlanarRange bodies(int part) const { return {part * size, std::min(owned, (part + 1) * size)}; }
+  int of(int body) const { return body < owned ? body / size : last(); }
   /// That in which both bodies of a block have moved.
-  int of(const PlanarBlockHead& head) const {
-    const int last = std::max(head.i, head.j);
-    return last < owned ? last / size : count() - 1;
-  }
+  int of(const PlanarBlockHead& head) const { return of(std::max(head.i, head.j)); }
 };
 
 /// Constants of the contacts of two types. friction: mu k_n, N/m.
@@ -80,7 +79,8 @@ struct PlanarBlockBirth {
 /// spheres that they name do not coincide, so that their distance has an inverse.
 ///
 /// Blocks lie in the order in which their bodies move, part of the bodies by part, so that forces
-/// follow the motion while both are near the processor. New blocks come behind all that order.
+/// follow the motion while both are near the processor. New blocks take the places of those that
+/// have just been removed, if these are not too early, or come behind all that order.
 class PlanarBlockPool {
  public:
   /// hole_j: of the holes, 0 or, if the blocks are of walls, -1.
@@ -94,12 +94,11 @@ class PlanarBlockPool {
   int filled() const { return filled_; }
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
-  /// The values of a new block are 0, or those of a removed one.
-  int add(const PlanarBlockHead& head, int law, const PlanarBlockBirth& birth) {
-    if (holes_.empty()) resize_blocks(size(), size() + 1);
+  /// For part `part` of the bodies, or a later one. The values of a new block are 0, or those of a
+  /// removed one.
+  int add(int part, const PlanarBlockHead& head, int law, const PlanarBlockBirth& birth) {
+    const int place = take_hole(part);
     ++filled_;
-    const int place = holes_.back();
-    holes_.pop_back();
     heads[place] = head;
     laws[place] = law;
     births[place] = birth;
@@ -119,20 +118,25 @@ class PlanarBlockPool {
     of_body_[body].clear();
   }
 
-  /// Puts the blocks in the given order, without holes but for the last group: order[k] is the
-  /// present place of the k-th. The first `touching` of them may go on to touch; they, and the
-  /// others, are in the order of their parts.
+  /// Puts the blocks in the given order: order[k] is the present place of the k-th, or -1 for a
+  /// hole. The first `touching` of them, whole groups, may go on to touch; they, and the others,
+  /// are in the order of their parts.
   void reorder(const std::vector<int>& order, int touching, const PlanarParts& parts);
-  /// Whole groups whose bodies are in the parts up to this one, and not in those before; of the
-  /// last one: all that is left.
+  /// The groups of each part; of the last one: all that is left.
   PlanarRange touching(int part) const;
   PlanarRange others(int part) const;
+  int part_of(int place) const;
 
   /// Place of the velocities k steps back in the values; `turned`: as after the next turn.
   int velocity(int k, bool turned = false) const {
-    return planar_velocities + (newest_ + (turned ? slots - 1 : 0) + k) % slots * planar_row;
+    return planar_velocities + ring_place(k - ahead_ - (turned ? 1 : 0)) * planar_row;
   }
-  void turn() { newest_ = (newest_ + slots - 1) % slots; }
+  void turn(int steps) {
+    newest_ = ring_place(-steps);
+    ahead_ = 0;
+  }
+  /// What follows is done for blocks that are so many steps ahead of the last turn.
+  void look_ahead(int steps) { ahead_ = steps; }
   int rows() const { return planar_velocities / planar_row + slots; }
   /// Of the first lane of the first row.
   double* values(int place) { return all_values.data() + values_place(place); }
@@ -150,6 +154,10 @@ class PlanarBlockPool {
     return group * rows() * planar_row + place % planar_group * planar_lanes;
   }
 
+  int ring_place(int k) const { return ((newest_ + k) % slots + slots) % slots; }
+
+  int take_hole(int part);
+
   /// Room for `blocks` of them in whole groups; places from `filled` on become holes.
   void resize_blocks(int filled, int blocks) {
     const int groups = (blocks + planar_group - 1) / planar_group;
@@ -166,7 +174,7 @@ class PlanarBlockPool {
     std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
     for (int row : {planar_yi, planar_xj, planar_yj})
       std::fill_n(of_place + row, planar_lanes, 0.0);
-    if (place >= ordered_) holes_.push_back(place);
+    (place < ordered_ ? early_holes_ : holes_).push_back(place);
   }
 
   void forget(int body, int place) {
@@ -181,10 +189,10 @@ class PlanarBlockPool {
 
   PlanarBlockHead hole_ = PlanarBlockHead();
   std::vector<std::vector<int>> of_body_;
-  std::vector<int> holes_;  // that new blocks may fill
-  int newest_ = 0, filled_ = 0;
-  int ordered_ = 0;                                     // blocks in order, whole groups
-  std::vector<int> ends_of_touching_, ends_of_others_;  // of each part but the last
+  std::vector<int> early_holes_, holes_;  // in the order of parts, and behind it
+  int newest_ = 0, ahead_ = 0, filled_ = 0;
+  int ordered_ = 0;                                     // blocks in that order, whole groups
+  std::vector<int> ends_of_touching_, ends_of_others_;  // of each part; the last one: its own
   // Room for reorder(), kept: memory that the system gives anew costs more than the sorting.
   AlignedVector<PlanarBlockHead> spare_heads_;
   AlignedVector<double> spare_values_;

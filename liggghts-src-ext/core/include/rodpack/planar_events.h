@@ -6,6 +6,7 @@
 
 #include "contact_motion.h"
 #include "force_change.h"
+#include "planar_blocks.h"
 #include "planar_contact.h"
 #include "planar_scene.h"
 
@@ -21,7 +22,8 @@ class PlanarEvents {
     bool jumps;
   };
 
-  explicit PlanarEvents(int bodies) : place_(bodies, -1), jumped_(bodies, 0), motions_(bodies) {}
+  explicit PlanarEvents(const PlanarParts& parts)
+      : parts_(parts), changes_(parts.count()), jumped_bodies_(parts.count()) {}
 
   void resize(int bodies) {
     place_.resize(bodies, -1);
@@ -59,24 +61,30 @@ class PlanarEvents {
   }
 
   /// For each body; null: none of them has.
-  const char* jumped() const { return jumped_bodies_.empty() ? nullptr : jumped_.data(); }
+  const char* jumped() const { return jumps_ == 0 ? nullptr : jumped_.data(); }
   bool jumped(int body) const { return jumped_[body] != 0; }
   const PlanarMotionChange& motion(int body) const { return motions_[body]; }
   void set_jumped(int body, const PlanarMotionChange& motion) {
-    if (!jumped_[body]) jumped_bodies_.push_back(body);
+    if (!jumped_[body]) {
+      jumped_bodies_[parts_.of(body)].push_back(body);
+      ++jumps_;
+    }
     jumped_[body] = 1;
     motions_[body] = motion;
   }
-  /// Before the jumps of a new step are set.
-  void forget_jumps() {
-    for (int body : jumped_bodies_) jumped_[body] = 0;
-    jumped_bodies_.clear();
+  /// Of the bodies of a part, before the jumps of a new step are set.
+  void forget_jumps(int part) {
+    std::vector<int>& bodies = jumped_bodies_[part];
+    for (int body : bodies) jumped_[body] = 0;
+    jumps_ -= static_cast<int>(bodies.size());
+    bodies.clear();
   }
 
-  const std::vector<Changes>& changes() const { return changes_; }
-  void forget_changes() {
-    for (const Changes& change : changes_) place_[change.body] = -1;
-    changes_.clear();
+  /// Of the bodies of a part.
+  const std::vector<Changes>& changes(int part) const { return changes_[part]; }
+  void forget_changes(int part) {
+    for (const Changes& change : changes_[part]) place_[change.body] = -1;
+    changes_[part].clear();
   }
 
  private:
@@ -92,11 +100,12 @@ class PlanarEvents {
       lever[d] += arm[d];
       rate[d] += v[d] - body_v[d];
     }
+    std::vector<Changes>& of_part = changes_[parts_.of(body)];
     if (place_[body] < 0) {
-      place_[body] = static_cast<int>(changes_.size());
-      changes_.push_back(Changes{body, ForceChange(), ForceChange(), false});
+      place_[body] = static_cast<int>(of_part.size());
+      of_part.push_back(Changes{body, ForceChange(), ForceChange(), false});
     }
-    Changes& sum = changes_[place_[body]];
+    Changes& sum = of_part[place_[body]];
     sum.force += force;
     add_planar_torque_change(lever, rate, force, sum.torque);
     sum.jumps = sum.jumps || jumps;
@@ -118,10 +127,12 @@ class PlanarEvents {
     surface(motion.displacement, change.displacement);
   }
 
-  std::vector<int> place_;  // of a body in changes_, -1: not there
-  std::vector<Changes> changes_;
+  PlanarParts parts_;
+  std::vector<int> place_;  // of a body in the changes of its part, -1: not there
+  std::vector<std::vector<Changes>> changes_;
   std::vector<char> jumped_;
-  std::vector<int> jumped_bodies_;
+  std::vector<std::vector<int>> jumped_bodies_;
+  int jumps_ = 0;
   std::vector<PlanarMotionChange> motions_;
 };
 

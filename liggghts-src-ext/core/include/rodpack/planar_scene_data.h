@@ -56,16 +56,20 @@ class PlanarGrid {
 
 class PlanarHalo;
 
+constexpr int steps_in_sweep = 8;
+
 struct PlanarScene::Data {
   Data(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies);
   ~Data();
 
   // planar_scene.cpp
-  void step();
+  void sweep(int steps);
+  void step(int stage);
+  void move(int part);
   PlanarMotions motions();
   void make_missed_motion(int body);
   void fill_past(int body);
-  void apply_events();
+  void apply_events(int part);
   void begin_forces();
   void set_reach(int body);
   void resize(int bodies);
@@ -81,15 +85,21 @@ struct PlanarScene::Data {
   void list_pair(int i, int j);
   void list_walls(int i);
   void sort_blocks();
+  void completes(const PlanarBlockHead& head, int part);
   double wanted_skin(int body) const;
   struct Coefficients {  // of a block
     int law;
     double gamma[2];
   };
   Coefficients coefficients(int i, int j) const;
+  /// Two spheres that may touch, and the gap between them where their bodies were listed (m).
+  struct Candidate {
+    double gap;
+    int sphere_i, sphere_j;
+  };
+  void add_blocks(PlanarBlockPool& pool, int i, int j, std::vector<Candidate>& candidates);
   // planar_forces.cpp
   void evaluate_forces(int part);
-  void end_forces();
   PlanarForces forces_of(PlanarBlockPool& pool, int part);
   void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
@@ -97,29 +107,38 @@ struct PlanarScene::Data {
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
 
-  TangentialStep tangential_step() const { return {settings.order, now, settings.dt}; }
+  /// Place in past_velocity and past_acceleration of the rates k + 1 steps back, a ring.
+  int past(int k) const {
+    const int count = settings.order - 1;
+    return static_cast<int>((k - now % count + count) % count);
+  }
+  TangentialStep tangential_step() const {
+    return {settings.order, static_cast<double>(now), settings.dt};
+  }
   /// Past the start-up, and all that events may look at is known.
   int full_count() const { return slots + 1; }
 
   PlanarSettings settings;
-  int slots;         // tangential velocities that a contact keeps
-  double now = 0.0;  // number of the step that is evaluated
+  int slots;     // tangential velocities that a contact keeps
+  long now = 0;  // number of the step that is evaluated
   bool lists_exist = false;
   double longest = 0.0;  // reach of all bodies, of other ranks too
   int owned = 0;         // bodies of this rank; ghosts follow them
   PlanarParts parts;
+  std::vector<int> complete;  // part with the last of the blocks of each part's bodies
+  int made[steps_in_sweep];   // parts of each step of a sweep
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
 
   AlignedVector<PlanarFrame> frames;
   AlignedVector<PlanarVector> loads;
   AlignedVector<PlanarVector> inertia;  // 1/mass, 1/mass, 1/moment, mass
-  AlignedVector<PlanarVector> past_velocity[max_multistep_order - 1];  // k + 1 steps back
+  AlignedVector<PlanarVector> past_velocity[max_multistep_order - 1];
   AlignedVector<PlanarVector> past_acceleration[max_multistep_order - 1];
   std::vector<std::int8_t> evaluations;
   AlignedVector<PlanarVector> missed_displacement, missed_velocity;
-  std::vector<int> missed;   // bodies with missed motion
-  std::vector<int> newborn;  // without an evaluation yet
+  std::vector<std::vector<int>> missed;   // bodies of each part with missed motion
+  std::vector<std::vector<int>> newborn;  // without an evaluation yet
   std::vector<PlanarBodyInfo> info;
   std::vector<int> tags;
   std::vector<PlanarSphere> spheres;
