@@ -262,12 +262,14 @@ void RunPlanar::find_bodies() {
   const int bodies = bodies_->n_body();
   const auto tag_of = [&](int body) { return bodies_->data().tag(body); };
   std::vector<rodpack::TaggedPlace> places;
+  double reach = 0.0;
   for (int body = 0; body < bodies; ++body) {
     double x[3];
     bodies_->data().xcm(x, body);
     places.push_back({x[0], x[1], tag_of(body)});
+    reach = std::max(reach, bodies_->data().r_bound(body));
   }
-  order_ = rodpack::order_by_place(places);
+  order_ = rodpack::order_by_place(places, 2.0 * reach);
   std::vector<int> place(bodies);
   for (int k = 0; k < bodies; ++k) place[order_[k]] = k;
   atoms_.assign(bodies, std::vector<int>());

@@ -116,6 +116,7 @@ void PlanarBlockPool::reorder(const std::vector<int>& order, int touching,
   };
   find_ends(0, touching, ends_of_touching_);
   find_ends(touching, ordered_, ends_of_others_);
+  for (EarlyHole& hole : early_holes_) hole.part = part_of(hole.place);
 }
 
 PlanarRange PlanarBlockPool::touching(int part) const {
@@ -142,8 +143,8 @@ int PlanarBlockPool::take_hole(int part) {
   // What has just been removed comes back in most cases.
   const int count = static_cast<int>(early_holes_.size());
   for (int k = count - 1; k >= 0 && k >= count - 16; --k) {
-    if (part_of(early_holes_[k]) < part) continue;
-    const int place = early_holes_[k];
+    if (early_holes_[k].part < part) continue;
+    const int place = early_holes_[k].place;
     early_holes_.erase(early_holes_.begin() + k);
     return place;
   }

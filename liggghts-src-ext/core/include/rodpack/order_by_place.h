@@ -3,7 +3,7 @@
 #define RODPACK_ORDER_BY_PLACE_H
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -14,20 +14,10 @@ struct TaggedPlace {
   int tag;
 };
 
-/// Bits 0, 1, 2, ... of a number at places 0, 2, 4, ...
-inline std::uint64_t spread_bits(std::uint32_t number) {
-  std::uint64_t spread = number;
-  spread = (spread | spread << 16) & 0x0000ffff0000ffffULL;
-  spread = (spread | spread << 8) & 0x00ff00ff00ff00ffULL;
-  spread = (spread | spread << 4) & 0x0f0f0f0f0f0f0f0fULL;
-  spread = (spread | spread << 2) & 0x3333333333333333ULL;
-  return (spread | spread << 1) & 0x5555555555555555ULL;
-}
-
-/// Indices in the order of Morton's curve, along which neighbours in the plane mostly stay
-/// neighbours, so that what is near is also near in memory; equal places by their tags.
-/// Coordinates are resolved to 1/2^20 of the larger extent.
-inline std::vector<int> order_by_place(const std::vector<TaggedPlace>& places) {
+/// Indices in the order of strips of this thickness (> 0) across the larger extent, and along each
+/// strip; equal places by their tags. What is as near as the thickness lies in the same strip or in
+/// the next one, so near in memory, and no farther in a larger packing of this width.
+inline std::vector<int> order_by_place(const std::vector<TaggedPlace>& places, double thickness) {
   double low[2] = {0.0, 0.0}, high[2] = {0.0, 0.0};
   for (const TaggedPlace& place : places) {
     const double at[2] = {place.x, place.y};
@@ -37,18 +27,18 @@ inline std::vector<int> order_by_place(const std::vector<TaggedPlace>& places) {
       high[d] = first ? at[d] : std::max(high[d], at[d]);
     }
   }
-  const double cells = 1048575.0, extent = std::max(high[0] - low[0], high[1] - low[1]);
-  const auto cell = [&](double distance) {
-    const double place = distance / extent * cells;
-    return place > 0.0 && place <= cells ? static_cast<std::uint32_t>(place) : 0u;
+  const bool wide = high[0] - low[0] > high[1] - low[1];
+  const auto strip = [&](const TaggedPlace& place) {
+    return std::floor((wide ? place.x - low[0] : place.y - low[1]) / thickness);
   };
-  std::vector<std::uint64_t> keys;
-  for (const TaggedPlace& place : places)
-    keys.push_back(spread_bits(cell(place.x - low[0])) | spread_bits(cell(place.y - low[1])) << 1);
   std::vector<int> order(places.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return keys[a] != keys[b] ? keys[a] < keys[b] : places[a].tag < places[b].tag;
+  std::sort(order.begin(), order.end(), [&](int i, int j) {
+    const TaggedPlace &a = places[i], &b = places[j];
+    const double of_a = strip(a), of_b = strip(b);
+    if (of_a != of_b) return of_a < of_b;
+    const double along_a = wide ? a.y : a.x, along_b = wide ? b.y : b.x;
+    return along_a != along_b ? along_a < along_b : a.tag < b.tag;
   });
   return order;
 }

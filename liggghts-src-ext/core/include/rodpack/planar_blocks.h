@@ -174,7 +174,10 @@ class PlanarBlockPool {
     std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
     for (int row : {planar_yi, planar_xj, planar_yj})
       std::fill_n(of_place + row, planar_lanes, 0.0);
-    (place < ordered_ ? early_holes_ : holes_).push_back(place);
+    if (place < ordered_)
+      early_holes_.push_back({place, part_of(place)});
+    else
+      holes_.push_back(place);
   }
 
   void forget(int body, int place) {
@@ -189,7 +192,11 @@ class PlanarBlockPool {
 
   PlanarBlockHead hole_ = PlanarBlockHead();
   std::vector<std::vector<int>> of_body_;
-  std::vector<int> early_holes_, holes_;  // in the order of parts, and behind it
+  struct EarlyHole {
+    int place, part;
+  };
+  std::vector<EarlyHole> early_holes_;  // in the order of parts
+  std::vector<int> holes_;              // behind it
   int newest_ = 0, ahead_ = 0, filled_ = 0;
   int ordered_ = 0;                                     // blocks in that order, whole groups
   std::vector<int> ends_of_touching_, ends_of_others_;  // of each part; the last one: its own
