@@ -269,7 +269,8 @@ void RunPlanar::find_bodies() {
     places.push_back({x[0], x[1], tag_of(body)});
     reach = std::max(reach, bodies_->data().r_bound(body));
   }
-  order_ = rodpack::order_by_place(places, 2.0 * reach);
+  // Those next to other ranks last: they wait for messages.
+  order_ = rodpack::order_by_place(places, 2.0 * reach, comm->nprocs > 1);
   std::vector<int> place(bodies);
   for (int k = 0; k < bodies; ++k) place[order_[k]] = k;
   atoms_.assign(bodies, std::vector<int>());

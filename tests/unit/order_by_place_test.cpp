@@ -25,6 +25,13 @@ TEST(OrderByPlace, FollowsStripsAcrossTheLargerExtentWhereverTheBodiesAre) {
   }
 }
 
+TEST(OrderByPlace, GoesOutwardsFromTheMiddle) {
+  // along x from 0 to 8; the middle is 4
+  EXPECT_THAT(
+      order_by_place({{0, 0, 0}, {8, 1, 1}, {4.5, 2, 2}, {3.5, 1, 3}, {2.5, 1, 4}}, 1, true),
+      ElementsAre(3, 2, 4, 0, 1));
+}
+
 TEST(OrderByPlace, GoesByTagsWherePlacesAreEqual) {
   EXPECT_THAT(order_by_place({{1, 2, 7}, {1, 2, 5}, {1, 2, 6}}, 0.5), ElementsAre(1, 2, 0));
   EXPECT_TRUE(order_by_place({}, 0.5).empty());

@@ -58,6 +58,21 @@ inline std::vector<PlanarBody> heap(int rods, double aspect_ratio, double curvat
   return bodies;
 }
 
+/// Such heaps of a dozen rods side by side on a long floor, some steps after the first has touched.
+inline std::vector<PlanarBody> row_of_heaps(int heaps, PlanarSettings settings) {
+  std::vector<PlanarBody> bodies;
+  for (int k = 0; k < heaps; ++k)
+    for (PlanarBody& body : heap(12, 5)) {
+      body.position[0] += k * 3.4 * 5 * diameter;
+      bodies.push_back(body);
+    }
+  PlanarScene scene(settings, bodies);
+  scene.evaluate();
+  scene.run(3000);
+  for (int k = 0; k < scene.size(); ++k) bodies[k] = scene.body(k);
+  return bodies;
+}
+
 inline PlanarSettings box(double aspect_ratio, const PlanarLaw& law = paper) {
   PlanarSettings settings = settings_of(law);
   settings.gravity[1] = -9.81;

@@ -241,6 +241,21 @@ TEST(PlanarRanks, MotionIsThatOfOneScene) {
     }
 }
 
+// In a sweep some bodies of a rank are ahead of others, but not of those that it knows of others.
+TEST(PlanarRanks, StepsAtOnceAreThoseOfOneScene) {
+  PlanarSettings settings = box(5);
+  settings.walls.pop_back();
+  const std::vector<PlanarBody> bodies = row_of_heaps(90, settings);
+  PlanarScene whole(settings, bodies);
+  whole.evaluate();
+  whole.run(500);
+  Parts parts(settings, bodies, 3, slabs(0, 30 * 3.4 * 5 * diameter, 3));
+  parts.evaluate();
+  EXPECT_EQ(parts.run(500), 500);
+  EXPECT_LT(difference(state_of(whole), state_of(parts.bodies())), 1e-12);
+  EXPECT_GT(whole.statistics().general, 1000);
+}
+
 // Two ranks evaluate a contact between their bodies, and have to agree for good.
 TEST(PlanarRanks, ContactOfTwoRanksHasTheSameHistoryOnBothToTheLastBit) {
   Parts parts(box(5), heap(15, 5), 3, slabs(0, 0.0175, 3));

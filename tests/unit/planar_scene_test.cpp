@@ -126,16 +126,7 @@ TEST(PlanarScene, ListsDoNotChangeTheMotion) {
 TEST(PlanarScene, StepsAtOnceAreStepsOneByOne) {
   PlanarSettings settings = box(5);
   settings.walls.pop_back();
-  std::vector<PlanarBody> in_order;
-  for (int column = 0; column < 30; ++column)
-    for (PlanarBody body : heap(12, 5)) {
-      body.position[0] += column * 3.4 * 5 * diameter;
-      in_order.push_back(body);
-    }
-  PlanarScene falling(settings, in_order);
-  falling.evaluate();
-  falling.run(3000);
-  for (int k = 0; k < falling.size(); ++k) in_order[k] = falling.body(k);
+  const std::vector<PlanarBody> in_order = row_of_heaps(30, settings);
   std::vector<PlanarBody> mixed = in_order;
   for (std::size_t k = 0; k < mixed.size(); ++k)
     std::swap(mixed[k], mixed[k * 7919 % mixed.size()]);

@@ -168,6 +168,7 @@ void PlanarHalo::renew(PlanarScene::Data& scene) {
       at += record_length(static_cast<int>(record[5]));
     }
   connect(chosen, ghosts);
+  each_sent([&](int body) { scene.complete[scene.parts.of(body)] = scene.parts.last(); });
 }
 
 /// The own bodies that each rank needs as ghosts, and their records.
@@ -371,7 +372,7 @@ void PlanarHalo::list_if_moved(PlanarScene::Data& scene, int ghost) const {
   const double tc = frame.cosine - at.cosine, ts = frame.sine - at.sine;
   double& moved = scene.moved[ghost];
   moved = std::sqrt(2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts)));
-  if (scene.lists_exist && moved > at.skin) scene.to_list.push_back(ghost);
+  if (scene.lists_exist && moved > before_its_skin * at.skin) scene.to_list.push_back(ghost);
 }
 
 }  // namespace rodpack

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rodpack/planar_halo.h"
 #include "rodpack/planar_scene_data.h"
 
 namespace rodpack {
@@ -198,10 +199,6 @@ void restore_lane(PlanarBlockPool& pool, int place, int lane, const PlanarScene:
 void clear_lane(PlanarBlockPool& pool, int place, int lane) {
   restore_lane(pool, place, lane, PlanarScene::Data::Saved());
 }
-
-// What is found next to a body when it is listed anew may be some steps ahead of it, so it is
-// listed before it has gone all its skin.
-const double before_its_skin = 0.98;
 
 double PlanarScene::Data::wanted_skin(int body) const {
   const double* v = frames[body].velocity;
@@ -407,6 +404,7 @@ void PlanarScene::Data::list_walls(int i) {
 /// Touching blocks first, each kind in the order in which their bodies have both moved.
 void PlanarScene::Data::sort_blocks() {
   for (int part = 0; part < parts.count(); ++part) complete[part] = part;
+  if (halo) halo->each_sent([&](int body) { complete[parts.of(body)] = parts.last(); });
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
     const AlignedVector<PlanarBlockHead>& heads = pool->heads;
     near.clear();

@@ -15,8 +15,9 @@ namespace rodpack {
 
 namespace {
 
-// So few that they and their blocks stay in a core's cache.
-const int bodies_in_part = 128;
+// So few that they and their blocks stay in the cache for some steps, so many that parts cost
+// little.
+const int bodies_in_part = 256;
 
 void require(bool holds, const std::string& name, double value, const char* expected) {
   if (!holds)
@@ -328,10 +329,11 @@ long PlanarScene::run(long steps) {
   d.make_lists();
   long step = 0;
   while (step < steps && !(d.halo && d.halo->far_away())) {
-    // Ghosts want to be brought to each step.
-    const long sweep = d.halo ? 1 : steps_in_sweep - d.statistics.steps % steps_in_sweep;
-    d.sweep(static_cast<int>(std::min(sweep, steps - step)));
-    step += std::min(sweep, steps - step);
+    long sweep = steps_in_sweep - d.statistics.steps % steps_in_sweep;
+    if (d.halo) sweep = std::min(sweep, std::max(1L, static_cast<long>(d.halo->quiet_updates())));
+    sweep = std::min(sweep, steps - step);
+    d.sweep(static_cast<int>(sweep));
+    step += sweep;
   }
   if (d.halo) d.halo->check(d);
   return step;

@@ -16,8 +16,10 @@ struct TaggedPlace {
 
 /// Indices in the order of strips of this thickness (> 0) across the larger extent, and along each
 /// strip; equal places by their tags. What is as near as the thickness lies in the same strip or in
-/// the next one, so near in memory, and no farther in a larger packing of this width.
-inline std::vector<int> order_by_place(const std::vector<TaggedPlace>& places, double thickness) {
+/// the next one, so near in memory, and no farther in a longer packing. `outwards`: the strips on
+/// both sides of the middle by their distance from it, so that both ends come last.
+inline std::vector<int> order_by_place(const std::vector<TaggedPlace>& places, double thickness,
+                                       bool outwards = false) {
   double low[2] = {0.0, 0.0}, high[2] = {0.0, 0.0};
   for (const TaggedPlace& place : places) {
     const double at[2] = {place.x, place.y};
@@ -28,8 +30,11 @@ inline std::vector<int> order_by_place(const std::vector<TaggedPlace>& places, d
     }
   }
   const bool wide = high[0] - low[0] > high[1] - low[1];
+  const int axis = wide ? 0 : 1;
+  const double first = outwards ? 0.5 * (low[axis] + high[axis]) : low[axis];
   const auto strip = [&](const TaggedPlace& place) {
-    return std::floor((wide ? place.x - low[0] : place.y - low[1]) / thickness);
+    const double distance = (wide ? place.x : place.y) - first;
+    return std::floor((outwards ? std::fabs(distance) : distance) / thickness);
   };
   std::vector<int> order(places.size());
   std::iota(order.begin(), order.end(), 0);

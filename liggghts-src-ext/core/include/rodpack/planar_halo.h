@@ -27,6 +27,18 @@ class PlanarHalo {
   /// @throws std::runtime_error naming a body that went farther than it could have been followed
   void update(PlanarScene::Data& scene);
 
+  /// Updates before the next one that may choose the ghosts anew: where all bodies have to be at
+  /// the same step. The same on all ranks.
+  int quiet_updates() const { return patience_ > 1 ? patience_ - 1 : 0; }
+
+  /// Calls visit(body) for the own bodies that are sent in each update, which may not be ahead of
+  /// it; once for each rank.
+  template <class Visit>
+  void each_sent(Visit visit) const {
+    for (const Partner& partner : partners_)
+      for (int body : partner.sent) visit(body);
+  }
+
   /// Whether no contact can have been missed so far; not collective.
   /// @throws as update()
   void check(const PlanarScene::Data& scene) const { checked_way(scene); }

@@ -57,6 +57,9 @@ class PlanarGrid {
 class PlanarHalo;
 
 constexpr int steps_in_sweep = 8;
+/// What is found next to a body when it is listed anew may be some steps ahead of it, so it is
+/// listed before it has gone all its skin.
+constexpr double before_its_skin = 0.98;
 
 struct PlanarScene::Data {
   Data(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies);
