@@ -168,7 +168,7 @@ void PlanarHalo::renew(PlanarScene::Data& scene) {
       at += record_length(static_cast<int>(record[5]));
     }
   connect(chosen, ghosts);
-  each_sent([&](int body) { scene.complete[scene.parts.of(body)] = scene.parts.last(); });
+  each_sent([&](int body) { scene.completed_by[scene.parts.of(body)] = scene.parts.last(); });
 }
 
 /// The own bodies that each rank needs as ghosts, and their records.

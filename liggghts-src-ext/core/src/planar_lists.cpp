@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "rodpack/planar_halo.h"
 #include "rodpack/planar_scene_data.h"
 
 namespace rodpack {
@@ -68,136 +67,6 @@ void PlanarGrid::unlink(int body) {
   else
     head_[cell_[body]] = next_[body];
   if (next_[body] >= 0) previous_[next_[body]] = previous_[body];
-}
-
-namespace {
-
-int round_up(int blocks) { return (blocks + planar_group - 1) / planar_group * planar_group; }
-
-}  // namespace
-
-void PlanarBlockPool::reorder(const std::vector<int>& order, int touching,
-                              const PlanarParts& parts) {
-  heads.swap(spare_heads_);
-  laws.swap(spare_laws_);
-  all_values.swap(spare_values_);
-  births.swap(spare_births_);
-  for (std::vector<int>& list : of_body_) list.clear();
-  early_holes_.clear();
-  holes_.clear();
-  filled_ = 0;
-  const int count = static_cast<int>(order.size());
-  ordered_ = round_up(count);
-  resize_blocks(count, count);
-  for (int k = 0; k < count; ++k) {
-    if (order[k] < 0) {
-      make_hole(k);
-      continue;
-    }
-    ++filled_;
-    heads[k] = spare_heads_[order[k]];
-    laws[k] = spare_laws_[order[k]];
-    births[k] = spare_births_[order[k]];
-    const double* const from = &spare_values_[values_place(order[k])];
-    double* const to = values(k);
-    for (int row = 0; row < rows(); ++row)
-      std::copy_n(from + row * planar_row, planar_lanes, to + row * planar_row);
-    of_body_[heads[k].i].push_back(k);
-    if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
-  }
-
-  // Holes name the first body: they are of no part that is too late.
-  const auto find_ends = [&](int first, int end, std::vector<int>& ends) {
-    ends.clear();
-    for (int part = 0; part < parts.last(); ++part) {
-      while (first < end && parts.of(heads[first]) <= part) ++first;
-      ends.push_back(first - first % planar_group);
-    }
-    ends.push_back(end);
-  };
-  find_ends(0, touching, ends_of_touching_);
-  find_ends(touching, ordered_, ends_of_others_);
-  for (EarlyHole& hole : early_holes_) hole.part = part_of(hole.place);
-}
-
-PlanarRange PlanarBlockPool::touching(int part) const {
-  if (ends_of_touching_.empty()) return {0, 0};
-  return {part == 0 ? 0 : ends_of_touching_[part - 1], ends_of_touching_[part]};
-}
-
-PlanarRange PlanarBlockPool::others(int part) const {
-  const int last = static_cast<int>(ends_of_others_.size()) - 1;
-  if (last < 0) return {0, 0};
-  return {part == 0 ? ends_of_touching_[last] : ends_of_others_[part - 1],
-          part == last ? size() : ends_of_others_[part]};
-}
-
-int PlanarBlockPool::part_of(int place) const {
-  const int last = static_cast<int>(ends_of_others_.size()) - 1;
-  if (place >= ordered_ || last < 0) return std::max(last, 0);
-  const std::vector<int>& ends =
-      place < ends_of_touching_[last] ? ends_of_touching_ : ends_of_others_;
-  return static_cast<int>(std::upper_bound(ends.begin(), ends.end(), place) - ends.begin());
-}
-
-int PlanarBlockPool::take_hole(int part) {
-  // What has just been removed comes back in most cases.
-  const int count = static_cast<int>(early_holes_.size());
-  for (int k = count - 1; k >= 0 && k >= count - 16; --k) {
-    if (early_holes_[k].part < part) continue;
-    const int place = early_holes_[k].place;
-    early_holes_.erase(early_holes_.begin() + k);
-    return place;
-  }
-  if (holes_.empty()) resize_blocks(size(), size() + 1);
-  const int place = holes_.back();
-  holes_.pop_back();
-  return place;
-}
-
-void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved) {
-  const PlanarBlockHead& head = pool.heads[place];
-  const double* const values = pool.values(place) + lane;
-  const PlanarBlockBirth& birth = pool.births[place];
-  const int bit = 1 << lane;
-  saved.i = head.i;
-  saved.j = head.j;
-  saved.sphere_i = birth.sphere_i[lane];
-  saved.sphere_j = birth.sphere_j[lane];
-  saved.sliding = (head.sliding & bit) != 0;
-  saved.mature = (head.mature & bit) != 0;
-  saved.fresh = birth.fresh[lane];
-  saved.count = birth.count[lane];
-  saved.spring = values[planar_spring];
-  for (int k = 0; k < max_multistep_order; ++k)
-    saved.velocity[k] = k < pool.slots ? values[pool.velocity(k)] : 0.0;
-  saved.uncut = values[planar_uncut];
-  saved.touch_rate = birth.touch_rate[lane];
-  saved.since = birth.since[lane];
-}
-
-void restore_lane(PlanarBlockPool& pool, int place, int lane, const PlanarScene::Data::Saved& saved,
-                  bool turned) {
-  PlanarBlockHead& head = pool.heads[place];
-  double* const values = pool.values(place) + lane;
-  PlanarBlockBirth& birth = pool.births[place];
-  const auto set = [&](std::uint8_t& bits, bool on) {
-    bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
-  };
-  set(head.alive, saved.count != 0);
-  set(head.mature, saved.mature);
-  set(head.sliding, saved.sliding);
-  birth.fresh[lane] = saved.fresh;
-  birth.count[lane] = saved.count;
-  birth.touch_rate[lane] = saved.touch_rate;
-  birth.since[lane] = saved.since;
-  values[planar_spring] = saved.spring;
-  for (int k = 0; k < pool.slots; ++k) values[pool.velocity(k, turned)] = saved.velocity[k];
-  values[planar_uncut] = saved.uncut;
-}
-
-void clear_lane(PlanarBlockPool& pool, int place, int lane) {
-  restore_lane(pool, place, lane, PlanarScene::Data::Saved());
 }
 
 double PlanarScene::Data::wanted_skin(int body) const {
@@ -399,42 +268,6 @@ void PlanarScene::Data::list_walls(int i) {
     }
     add_blocks(at_walls, i, -1 - static_cast<int>(w), candidates);
   }
-}
-
-/// Touching blocks first, each kind in the order in which their bodies have both moved.
-void PlanarScene::Data::sort_blocks() {
-  for (int part = 0; part < parts.count(); ++part) complete[part] = part;
-  if (halo) halo->each_sent([&](int body) { complete[parts.of(body)] = parts.last(); });
-  for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
-    const AlignedVector<PlanarBlockHead>& heads = pool->heads;
-    near.clear();
-    for (int k = 0; k < pool->size(); ++k)
-      if (heads[k].used != 0) near.push_back(k);
-    const auto touches = [&](int k) { return heads[k].alive != 0; };
-    std::sort(near.begin(), near.end(), [&](int a, int b) {
-      if (touches(a) != touches(b)) return touches(a);
-      const int last_a = std::max(heads[a].i, heads[a].j);
-      const int last_b = std::max(heads[b].i, heads[b].j);
-      if (last_a != last_b) return last_a < last_b;
-      if (heads[a].i != heads[b].i) return heads[a].i < heads[b].i;
-      if (heads[a].j != heads[b].j) return heads[a].j < heads[b].j;
-      return a < b;
-    });
-    const auto others = std::partition_point(near.begin(), near.end(), touches);
-    const int touching = static_cast<int>(others - near.begin());
-    near.insert(others, round_up(touching) - touching, -1);
-    pool->reorder(near, round_up(touching), parts);
-    for (int part = 0; part < parts.count(); ++part)
-      for (const PlanarRange& range : {pool->touching(part), pool->others(part)})
-        for (int k = range.first; k < range.end; ++k)
-          if (heads[k].used != 0) completes(heads[k], part);
-  }
-}
-
-/// The forces on the bodies of a block are not complete before this part.
-void PlanarScene::Data::completes(const PlanarBlockHead& head, int part) {
-  for (const int body : {head.i, head.j})
-    if (body >= 0) complete[parts.of(body)] = std::max(complete[parts.of(body)], part);
 }
 
 }  // namespace rodpack

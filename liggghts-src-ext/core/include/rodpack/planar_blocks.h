@@ -22,6 +22,10 @@ constexpr int planar_lanes = 2;
 constexpr int planar_group = 4;  // blocks whose values lie side by side, as many as a kernel takes
 constexpr int planar_row = planar_group * planar_lanes;
 
+inline int whole_groups(int blocks) {
+  return (blocks + planar_group - 1) / planar_group * planar_group;
+}
+
 /// Up to two sphere pairs of two bodies that may touch before one of the two is listed anew; the
 /// second may be a wall. What tells whether anything happens in a block:
 struct alignas(16) PlanarBlockHead {
@@ -160,11 +164,11 @@ class PlanarBlockPool {
 
   /// Room for `blocks` of them in whole groups; places from `filled` on become holes.
   void resize_blocks(int filled, int blocks) {
-    const int groups = (blocks + planar_group - 1) / planar_group;
-    heads.resize(groups * planar_group);
-    all_values.resize(static_cast<std::size_t>(groups) * rows() * planar_row);
-    laws.resize(groups * planar_group);
-    births.resize(groups * planar_group);
+    const int places = whole_groups(blocks);
+    heads.resize(places);
+    all_values.resize(static_cast<std::size_t>(places) * rows() * planar_lanes);
+    laws.resize(places);
+    births.resize(places);
     for (int place = size() - 1; place >= filled; --place) make_hole(place);
   }
 

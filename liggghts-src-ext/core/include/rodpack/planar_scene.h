@@ -109,7 +109,7 @@ class PlanarScene {
  public:
   /// With `ranks`, which have to outlive it: the part of one rank, collective as evaluate() and
   /// run() then are; each body is given to one rank, with a tag. Runs fastest if bodies that are
-  /// near each other are near in `bodies` too (order_by_place()).
+  /// near each other are near in `bodies` too, all of them (order_by_place()).
   /// @throws std::invalid_argument naming a value that is out of range.
   PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
               PlanarRanks* ranks = nullptr);

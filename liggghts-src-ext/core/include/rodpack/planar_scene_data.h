@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "aligned_vector.h"
@@ -128,8 +129,8 @@ struct PlanarScene::Data {
   double longest = 0.0;  // reach of all bodies, of other ranks too
   int owned = 0;         // bodies of this rank; ghosts follow them
   PlanarParts parts;
-  std::vector<int> complete;  // part with the last of the blocks of each part's bodies
-  int made[steps_in_sweep];   // parts of each step of a sweep
+  std::vector<int> completed_by;  // part with the last of the blocks of each part's bodies
+  int made[steps_in_sweep];       // parts of each step of a sweep
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
 
@@ -154,6 +155,9 @@ struct PlanarScene::Data {
   PlanarBlockPool pairs, at_walls;
   PlanarGrid grid;
   std::vector<int> to_list, near;
+  using Placed = std::pair<std::uint64_t, int>;  // of a block: place in the order, present place
+  std::vector<Placed> in_order;
+  std::vector<int> order;
   std::vector<PlanarGeneral> general;
   std::vector<int> awake;  // blocks
   struct Saved {           // contacts of a body while it is listed anew
