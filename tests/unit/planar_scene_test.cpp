@@ -126,7 +126,7 @@ TEST(PlanarScene, ListsDoNotChangeTheMotion) {
 TEST(PlanarScene, StepsAtOnceAreStepsOneByOne) {
   PlanarSettings settings = box(5);
   settings.walls.pop_back();
-  const std::vector<PlanarBody> in_order = row_of_heaps(30, settings);
+  const std::vector<PlanarBody> in_order = row_of_heaps(60, settings);
   std::vector<PlanarBody> mixed = in_order;
   for (std::size_t k = 0; k < mixed.size(); ++k)
     std::swap(mixed[k], mixed[k * 7919 % mixed.size()]);
