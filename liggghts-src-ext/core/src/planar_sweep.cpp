@@ -51,7 +51,7 @@ void PlanarScene::Data::sweep(int steps) {
   for (int part = 0; part < parts.count(); ++part) apply_events(part);
 }
 
-/// The next part of that step of a sweep.
+/// Makes the next part of a step, the stage of the sweep.
 void PlanarScene::Data::step(int stage) {
   const int part = made[stage];
   now = statistics.steps + stage;

@@ -57,7 +57,7 @@ class PlanarGrid {
 
 class PlanarHalo;
 
-constexpr int steps_in_sweep = 8;
+constexpr int steps_in_sweep = 8;  // at most
 /// What is found next to a body when it is listed anew may be some steps ahead of it, so it is
 /// listed before it has gone all its skin.
 constexpr double before_its_skin = 0.98;
@@ -66,7 +66,7 @@ struct PlanarScene::Data {
   Data(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies);
   ~Data();
 
-  // planar_scene.cpp
+  // planar_sweep.cpp
   void sweep(int steps);
   void step(int stage);
   void move(int part);
@@ -75,6 +75,7 @@ struct PlanarScene::Data {
   void fill_past(int body);
   void apply_events(int part);
   void begin_forces();
+  // planar_scene.cpp
   void set_reach(int body);
   void resize(int bodies);
   /// Whether i is the first of the two in a block, on every rank.
@@ -88,8 +89,6 @@ struct PlanarScene::Data {
   void list_near(int body, int end);
   void list_pair(int i, int j);
   void list_walls(int i);
-  void sort_blocks();
-  void completes(const PlanarBlockHead& head, int part);
   double wanted_skin(int body) const;
   struct Coefficients {  // of a block
     int law;
@@ -102,6 +101,9 @@ struct PlanarScene::Data {
     int sphere_i, sphere_j;
   };
   void add_blocks(PlanarBlockPool& pool, int i, int j, std::vector<Candidate>& candidates);
+  // planar_blocks.cpp
+  void sort_blocks();
+  void completes(const PlanarBlockHead& head, int part);
   // planar_forces.cpp
   void evaluate_forces(int part);
   PlanarForces forces_of(PlanarBlockPool& pool, int part);
@@ -130,7 +132,7 @@ struct PlanarScene::Data {
   int owned = 0;         // bodies of this rank; ghosts follow them
   PlanarParts parts;
   std::vector<int> completed_by;  // part with the last of the blocks of each part's bodies
-  int made[steps_in_sweep];       // parts of each step of a sweep
+  int made[steps_in_sweep];       // parts that each step of a sweep, its stage, has made
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
 
