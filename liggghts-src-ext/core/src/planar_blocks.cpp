@@ -149,7 +149,7 @@ std::uint64_t place_in_order(const PlanarBlockHead& head) {
 
 void PlanarScene::Data::sort_blocks() {
   for (int part = 0; part < parts.count(); ++part) completed_by[part] = part;
-  if (halo) halo->each_sent([&](int body) { completed_by[parts.of(body)] = parts.last(); });
+  if (halo) halo->hold_back_sent(*this);
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
     const AlignedVector<PlanarBlockHead>& heads = pool->heads;
     in_order.clear();

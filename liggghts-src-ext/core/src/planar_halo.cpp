@@ -168,7 +168,12 @@ void PlanarHalo::renew(PlanarScene::Data& scene) {
       at += record_length(static_cast<int>(record[5]));
     }
   connect(chosen, ghosts);
-  each_sent([&](int body) { scene.completed_by[scene.parts.of(body)] = scene.parts.last(); });
+  hold_back_sent(scene);
+}
+
+void PlanarHalo::hold_back_sent(PlanarScene::Data& scene) const {
+  for (const Partner& partner : partners_)
+    for (int body : partner.sent) scene.completed_by[scene.parts.of(body)] = scene.parts.last();
 }
 
 /// The own bodies that each rank needs as ghosts, and their records.

@@ -236,7 +236,7 @@ void PlanarScene::Data::list_pair(int i, int j) {
   const double touch = info[i].radius + info[j].radius, near_by = touch + a.skin + b.skin;
   const double around_j = b.reach - info[j].radius + near_by;
 
-  std::vector<PlanarScene::Data::Candidate>& candidates = no_candidates();
+  std::vector<Candidate>& candidates = no_candidates();
   const PlanarSphere* const of_i = &spheres[info[i].first];
   const PlanarSphere* const of_j = &spheres[info[j].first];
   for (int k = 0; k < info[i].count; ++k) {
@@ -258,7 +258,7 @@ void PlanarScene::Data::list_walls(int i) {
     const PlanarWall& wall = settings.walls[w];
     const double centre = (wall.axis == 0 ? a.x : a.y) - wall.position;
     if (wall.side_of(centre) * centre > a.reach + a.skin) continue;
-    std::vector<PlanarScene::Data::Candidate>& candidates = no_candidates();
+    std::vector<Candidate>& candidates = no_candidates();
     const double along_x = wall.axis == 0 ? a.cosine : a.sine;
     const double along_y = wall.axis == 0 ? -a.sine : a.cosine;
     for (int k = 0; k < info[i].count; ++k) {

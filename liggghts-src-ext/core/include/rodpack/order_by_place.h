@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace rodpack {
@@ -32,19 +32,17 @@ inline std::vector<int> order_by_place(const std::vector<TaggedPlace>& places, d
   const bool wide = high[0] - low[0] > high[1] - low[1];
   const int axis = wide ? 0 : 1;
   const double first = outwards ? 0.5 * (low[axis] + high[axis]) : low[axis];
-  const auto strip = [&](const TaggedPlace& place) {
+  std::vector<std::tuple<double, double, int, int>> keys;  // strip, place in it, tag; index
+  keys.reserve(places.size());
+  for (const TaggedPlace& place : places) {
     const double distance = (wide ? place.x : place.y) - first;
-    return std::floor((outwards ? std::fabs(distance) : distance) / thickness);
-  };
-  std::vector<int> order(places.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int i, int j) {
-    const TaggedPlace &a = places[i], &b = places[j];
-    const double of_a = strip(a), of_b = strip(b);
-    if (of_a != of_b) return of_a < of_b;
-    const double along_a = wide ? a.y : a.x, along_b = wide ? b.y : b.x;
-    return along_a != along_b ? along_a < along_b : a.tag < b.tag;
-  });
+    keys.emplace_back(std::floor((outwards ? std::fabs(distance) : distance) / thickness),
+                      wide ? place.y : place.x, place.tag, static_cast<int>(keys.size()));
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<int> order;
+  order.reserve(keys.size());
+  for (const auto& key : keys) order.push_back(std::get<3>(key));
   return order;
 }
 

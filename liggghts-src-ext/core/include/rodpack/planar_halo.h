@@ -31,13 +31,8 @@ class PlanarHalo {
   /// the same step. The same on all ranks.
   int quiet_updates() const { return patience_ > 1 ? patience_ - 1 : 0; }
 
-  /// Calls visit(body) for the own bodies that are sent in each update, which may not be ahead of
-  /// it; once for each rank.
-  template <class Visit>
-  void each_sent(Visit visit) const {
-    for (const Partner& partner : partners_)
-      for (int body : partner.sent) visit(body);
-  }
+  /// Lets the parts of the own bodies that are sent wait for the last one, in which they are.
+  void hold_back_sent(PlanarScene::Data& scene) const;
 
   /// Whether no contact can have been missed so far; not collective.
   /// @throws as update()
