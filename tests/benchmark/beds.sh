@@ -1,8 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# The packings from which methods are timed: deposited by the built-in multisphere, whose restart files all
-# methods read, in the paper's container. Each is made once, in BUILD-FOLDER/benchmark/beds; all of them
-# take some 40 minutes.
+# The packings from which methods are timed: deposited by run_style verlet/planar in the paper's container.
+# Each is made once, in BUILD-FOLDER/benchmark/beds, the large one beside the others, in some 20 minutes.
 #
 #   tests/benchmark/beds.sh BUILD-FOLDER
 set -eu
@@ -12,7 +11,7 @@ beds=$build/benchmark/beds
 mkdir -p "$beds"
 export OMPI_MCA_ess_singleton_isolated=1
 
-# NAME, then parameters of the deposition; twice the paper's step, which these states allow
+# NAME, then parameters of the deposition
 bed() {
   name=$1
   shift
@@ -20,13 +19,14 @@ bed() {
   echo "making the bed $name (build/benchmark/beds/$name)"
   rm -rf "${beds:?}/$name"
   stdbuf -oL "$build/bin/liggghts" -in "$here/../../inputs/deposition/in.deposition" \
-    -var integrator builtin -var timestep 2.2e-5 -var relaxation_ratio 1e-5 -var output_interval 100 \
-    -var out "$beds/$name" "$@" > "$beds/$name.out" 2>&1 || { tail -3 "$beds/$name.out"; exit 1; }
+    -var output_interval 100 -var out "$beds/$name" "$@" > "$beds/$name.out" 2>&1 || { tail -3 "$beds/$name.out"; exit 1; }
 }
 
-bed ar5 -var particles 3000 -var restart_interval 5.45 # the first restart file: half filled
+bed ar5 -var particles 3000 -var restart_interval 5.45 & # the first restart file: half filled
+large=$!
 bed ar2 -var aspect_ratio 2 -var particles 1500 -var restart_interval 100
 bed spheres -var aspect_ratio 1 -var particles 1500 -var restart_interval 100
 bed coarse -var surface coarse -var particles 1000 -var restart_interval 100
 bed curved -var curvature 120 -var particles 1000 -var restart_interval 100
 bed ar7 -var aspect_ratio 7 -var particles 1000 -var restart_interval 100
+wait $large

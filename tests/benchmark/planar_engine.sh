@@ -69,10 +69,15 @@ for case in $cases; do
         arguments="$arguments -var ${setting%%=*} ${setting#*=}"
       done
       start=$bed
-      case $method in nve*)
-        start=$work/$case.data
-        "$here/bed_data.sh" "$build/benchmark/beds/$folder" | sed '/^Molecules/,$d' > "$start"
-        ;;
+      case $method in
+        nve*)
+          start=$work/$case.data
+          "$here/bed_data.sh" "$build/benchmark/beds/$folder" | sed '/^Molecules/,$d' > "$start"
+          ;;
+        builtin*)
+          start=$work/$case.restart
+          "$here/for_builtin.sh" "$bed" > "$start"
+          ;;
       esac
       steps=1000
       case $method in planar*) steps=4000 ;; esac
@@ -87,33 +92,27 @@ for case in $cases; do
   done
 done
 
-# Medians, and spread: largest over smallest, less 1. One entry per case and method.
 for case in rest falling ar2 ar7 coarse curved spheres; do
-  [ ! -e "$case.times" ] || sort -k1,1 -k2,2g "$case.times" | sed "s/^/$case /"
-done | awk -v file="$build/benchmark/planar_engine.json" '
-  { if ($1 != last_case) { cases[++n_cases] = last_case = $1 }
-    if (!(($1, $2) in count)) methods[$1, ++n_methods[$1]] = $2
-    value[$1, $2, ++count[$1, $2]] = $3 }
-  function median(c, m) { return value[c, m, int((count[c, m] + 1) / 2)] }
-  function spread(c, m) { return value[c, m, count[c, m]] / value[c, m, 1] - 1 }
+  [ ! -e "$case.times" ] || sort -k1,1 -k2,2g "$case.times" | sed "s|^|$case/|"
+done | awk -v file="$build/benchmark/planar_engine.json" "$(cat "$here/medians.awk")"'
+  function case_of(m) { return substr(m, 1, index(m, "/") - 1) }
+  function method_of(m) { return substr(m, index(m, "/") + 1) }
+  count[$1] == 1 { names[++n] = $1 }
   END {
-    for (i = 1; i <= n_cases; ++i) {
-      c = cases[i]
-      best = ""
-      for (k = 1; k <= n_methods[c]; ++k) {
-        m = methods[c, k]
-        if (m ~ /^(builtin|nve)/ && (best == "" || median(c, m) < median(c, best))) best = m
-      }
-      for (k = 1; k <= n_methods[c]; ++k) {
-        m = methods[c, k]
-        printf "%-8s %-30s %8.2f ns per sphere and step, spread %3.0f %%, %5.2f times less than %s\n",
-               c, m, median(c, m), 100 * spread(c, m), median(c, best) / median(c, m), best
-        if (m !~ /^planar/) continue
-        entries[++n] = sprintf("  {\"name\": \"%s, %s over %s\", \"ratio\": %.3g, \"medians_ns_per_sphere_and_step\": [%.4g, %.4g], \"spread\": [%.2g, %.2g]}",
-          c, best, m, median(c, best) / median(c, m), median(c, best), median(c, m), spread(c, best), spread(c, m))
-      }
+    for (k = 1; k <= n; ++k) {
+      m = names[k]
+      c = case_of(m)
+      if (m ~ "/(builtin|nve)" && (!(c in best) || median(m) < median(best[c]))) best[c] = m
     }
     print "[" > file
-    for (k = 1; k <= n; ++k) print entries[k] (k < n ? "," : "") > file
-    print "]" > file
+    for (k = 1; k <= n; ++k) {
+      m = names[k]
+      stock = best[case_of(m)]
+      printf "%-38s %8.2f ns per sphere and step, spread %3.0f %%, %5.2f times less than %s\n",
+             m, median(m), 100 * spread(m), median(stock) / median(m), method_of(stock)
+      if (m !~ "/planar") continue
+      printf "%s%s", separator, pair(case_of(m) ", " method_of(stock) " over " method_of(m), stock, m) > file
+      separator = ",\n"
+    }
+    print "\n]" > file
   }'
