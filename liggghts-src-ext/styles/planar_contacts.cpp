@@ -123,7 +123,8 @@ void PlanarContacts::refuse(const std::string& what) const {
 
 void PlanarContacts::connect() {
   pair_ = static_cast<PairGran*>(force->pair_match("gran", 1));
-  if (!pair_) refuse(std::string("pair_style gran is needed, with ") + needed_models);
+  if (!pair_ || pair_ != force->pair)
+    refuse(std::string("pair_style gran is needed, alone, with ") + needed_models);
   if (!has_known_models(pair_))
     refuse(std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();

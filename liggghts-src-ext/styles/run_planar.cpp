@@ -42,6 +42,12 @@ const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere",
                                    "wall/gran",      "wall/gran/solid",
                                    "gravity",        "contacthistory"};
 
+std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 bool quits() { return SignalHandler::request_quit && !SignalHandler::request_write_restart; }
 
 bool is_known(const char* style) {
@@ -68,6 +74,14 @@ void keep_memory() {
 
 struct GravityAccess : FixGravity {
   static bool varies(FixGravity* gravity) { return gravity->*(&GravityAccess::varflag) != 0; }
+};
+
+struct NeighborAccess : Neighbor {
+  /// Whether pairs of different bodies are left out.
+  static bool leaves_out(Neighbor* neighbor) {
+    return neighbor->*(&NeighborAccess::nex_type) > 0 ||
+           neighbor->*(&NeighborAccess::nex_group) > 0 || neighbor->includegroup > 0;
+  }
 };
 
 }  // namespace
@@ -140,6 +154,8 @@ void RunPlanar::check_scene() {
     refuse("periodic boundaries are not supported, expected 'boundary f f f'");
   if (domain->triclinic) refuse("a triclinic box is not supported");
   if (atom->molecular || force->kspace) refuse("bonds and long-range forces are not supported");
+  if (NeighborAccess::leaves_out(neighbor))
+    refuse("neigh_modify exclude or include leaves pairs out, expected neither");
   bodies_ = NULL;
   if (modify->n_fixes_style("multisphere") == 1)
     bodies_ = dynamic_cast<FixMultisphereAB*>(modify->find_fix_style("multisphere", 0));
@@ -186,6 +202,7 @@ bool RunPlanar::anywhere(bool here) const {
 }
 
 void RunPlanar::run(int steps) {
+  if (!ranks_) refuse("'run ... pre no' before a run with 'pre yes'");
   if (!bodies_->planar())
     refuse("fix multisphere/ab moves in space, expected 'planar yes' or a fix enforce2d");
   const bigint first = update->ntimestep;
@@ -328,14 +345,22 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
     gravity_->get_gravity(acceleration);
     std::copy(acceleration, acceleration + 2, settings.gravity);
   }
-  // the smallest radius and the thinnest parts of the box, times -1
-  double largest[3] = {-1e300, -(domain->subhi[0] - domain->sublo[0]),
-                       -(domain->subhi[1] - domain->sublo[1])};
-  for (const rodpack::PlanarBody& body : bodies) largest[0] = std::max(largest[0], -body.radius);
-  ranks_->largest(largest, 3);
+  // the smallest radius and the thinnest parts of the box, times -1; the largest radius
+  double largest[4] = {-1e300, -(domain->subhi[0] - domain->sublo[0]),
+                       -(domain->subhi[1] - domain->sublo[1]), 0.0};
+  for (const rodpack::PlanarBody& body : bodies) {
+    largest[0] = std::max(largest[0], -body.radius);
+    largest[3] = std::max(largest[3], body.radius);
+  }
+  ranks_->largest(largest, 4);
   settings.instructions = instructions_;
-  settings.min_skin = min_skin_ > 0.0 ? min_skin_ : -0.06 * largest[0];
-  settings.max_skin = max_skin_ > 0.0 ? max_skin_ : -0.6 * largest[0];
+  // so that what parts is still listed where LIGGGHTS would follow it
+  const double least = (settings.close_factor - 1.0) * largest[3];
+  if (min_skin_ > 0.0 && min_skin_ < least)
+    refuse("skin is at least " + text_of(min_skin_) + " m, expected " + text_of(least) +
+           " m or more: the contact distance factor less 1 times the largest radius");
+  settings.min_skin = min_skin_ > 0.0 ? min_skin_ : std::max(-0.06 * largest[0], least);
+  settings.max_skin = max_skin_ > 0.0 ? max_skin_ : std::max(-0.6 * largest[0], settings.min_skin);
   // LIGGGHTS passes atoms and bodies on to the next rank, not beyond it; they may have gone half
   // its skin before.
   for (int axis = 0; axis < 2; ++axis)

@@ -244,6 +244,13 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
       HasSubstr("run_style verlet/planar: the bodies have to be those of one fix multisphere/ab"));
   EXPECT_THAT(output({}, "planar yes events", "planar no events"),
               HasSubstr("run_style verlet/planar: fix multisphere/ab moves in space"));
+  for (const char* leave_out : {"exclude type 1 1", "exclude group all all"})
+    EXPECT_THAT(output({{"extra", std::string("neigh_modify ") + leave_out}}),
+                HasSubstr("run_style verlet/planar: neigh_modify exclude or include leaves pairs"));
+  EXPECT_THAT(output({}, "run ${steps}", "run 0\nrun_style verlet/planar\nrun 100 pre no"),
+              HasSubstr("run_style verlet/planar: 'run ... pre no' before a run with 'pre yes'"));
+  EXPECT_THAT(output({{"style", "verlet/planar skin 1e-6 1e-3"}, {"steps", "20"}}),
+              HasSubstr("skin is at least 1e-06 m, expected"));
   EXPECT_THAT(output({{"style", "verlet/planar skin 2e-3 1e-3"}}),
               HasSubstr("skin is 2e-3 1e-3, expected"));
   EXPECT_THAT(output({{"style", "verlet/planar instructions sse9"}}),

@@ -148,6 +148,8 @@ std::uint64_t place_in_order(const PlanarBlockHead& head) {
 }  // namespace
 
 void PlanarScene::Data::sort_blocks() {
+  longest_sweep = next_longest_sweep;
+  next_longest_sweep = steps_in_sweep;
   for (int part = 0; part < parts.count(); ++part) completed_by[part] = part;
   if (halo) halo->hold_back_sent(*this);
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {

@@ -69,11 +69,11 @@ void PlanarGrid::unlink(int body) {
   if (next_[body] >= 0) previous_[next_[body]] = previous_[body];
 }
 
-double PlanarScene::Data::wanted_skin(int body) const {
+/// Of the point of the body that goes farthest, at its present speed, m.
+double PlanarScene::Data::way_in_step(int body) const {
   const double* v = frames[body].velocity;
   const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1]) + listed[body].reach * std::fabs(v[2]);
-  return std::min(settings.max_skin,
-                  std::max(settings.min_skin, speed * settings.skin_steps * settings.dt));
+  return speed * settings.dt;
 }
 
 /// Of body i with body j, or wall -1 - j.
@@ -92,7 +92,10 @@ PlanarScene::Data::Coefficients PlanarScene::Data::coefficients(int i, int j) co
 void PlanarScene::Data::mark_listed(int body) {
   PlanarListed& at = listed[body];
   const PlanarFrame& frame = frames[body];
-  at = {frame.x, frame.y, frame.cosine, frame.sine, at.reach, wanted_skin(body)};
+  const double way = way_in_step(body);
+  const double skin =
+      std::min(settings.max_skin, std::max(settings.min_skin, settings.skin_steps * way));
+  at = {frame.x, frame.y, frame.cosine, frame.sine, at.reach, skin};
   PlanarListedLanes& lanes = listed_lanes[body / body_lanes];
   const int lane = body % body_lanes;
   lanes.x[lane] = at.x;
@@ -100,8 +103,14 @@ void PlanarScene::Data::mark_listed(int body) {
   lanes.cosine[lane] = at.cosine;
   lanes.sine[lane] = at.sine;
   lanes.reach[lane] = at.reach;
-  lanes.skin[lane] = before_its_skin * at.skin;
+  lanes.skin[lane] = before_its_skin * skin;
   moved[body] = 0.0;
+  // `moved` may be the square root of 2 times too large.
+  const double covered = before_its_skin * skin / (std::sqrt(2.0) * way);
+  if (covered < next_longest_sweep) {
+    next_longest_sweep = std::max(1, static_cast<int>(covered));
+    longest_sweep = std::min(longest_sweep, next_longest_sweep);
+  }
 }
 
 void PlanarScene::Data::make_lists() {

@@ -184,6 +184,7 @@ long PlanarScene::run(long steps) {
   long step = 0;
   while (step < steps && !(d.halo && d.halo->far_away())) {
     long sweep = steps_in_sweep - d.statistics.steps % steps_in_sweep;
+    sweep = std::min(sweep, static_cast<long>(d.longest_sweep));
     if (d.halo) sweep = std::min(sweep, std::max(1L, static_cast<long>(d.halo->quiet_updates())));
     sweep = std::min(sweep, steps - step);
     d.sweep(static_cast<int>(sweep));

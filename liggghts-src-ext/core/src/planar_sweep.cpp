@@ -37,6 +37,7 @@ void PlanarScene::Data::fill_past(int body) {
 void PlanarScene::Data::sweep(int steps) {
   if (statistics.steps % 256 == 128) sort_blocks();
   std::fill_n(made, steps, 0);
+  steps_of_sweep = steps;
   while (made[steps - 1] < parts.count()) {
     if (made[0] < parts.count()) step(0);
     for (int stage = 1; stage < steps; ++stage)
@@ -57,7 +58,7 @@ void PlanarScene::Data::step(int stage) {
   now = statistics.steps + stage;
   if (stage > 0 && follows) apply_events(part);
   if (part < parts.last()) {
-    move(part);
+    move(part, steps_of_sweep - 1 - stage);
     if (stage > 0 && !to_list.empty()) {
       // The steps before must not meet the new blocks.
       std::vector<int> listed_later;
@@ -77,13 +78,14 @@ void PlanarScene::Data::step(int stage) {
   ++made[stage];
 }
 
-void PlanarScene::Data::move(int part) {
+void PlanarScene::Data::move(int part, int steps_ahead) {
   for (int body : missed[part]) make_missed_motion(body);
   missed[part].clear();
   for (int body : newborn[part]) fill_past(body);
   newborn[part].clear();
   PlanarMotions of_part = motions();
   of_part.bodies = parts.bodies(part);
+  of_part.steps_ahead = steps_ahead;
   to_list.resize(of_part.bodies.end - of_part.bodies.first);
   of_part.to_list = to_list.data();
   to_list.resize(kernel.advance(of_part));

@@ -81,8 +81,9 @@ struct PlanarMotions {
   double velocity_weights[max_multistep_order];
   double force_weights[max_multistep_order + 2][max_multistep_order];  // after so many evaluations
   const PlanarListedLanes* listed;
-  double* moved;  // room for whole lanes
-  int* to_list;   // room for all bodies
+  int steps_ahead;  // a body that is about to leave its skin in so many further steps is listed now
+  double* moved;    // room for whole lanes
+  int* to_list;     // room for all bodies
 };
 
 /// The functions of one set of instructions.

@@ -63,8 +63,9 @@ int evaluate_walls(const PlanarForces& forces) {
   return entries;
 }
 
-/// One multistep step of the velocity; returns the displacement over dt.
-inline Lanes advance_velocity(const PlanarMotions& motions, int body) {
+/// One multistep step of the velocity; returns the displacement over dt. `ahead`: becomes about the
+/// displacement in the steps that are looked ahead.
+inline Lanes advance_velocity(const PlanarMotions& motions, int body, Lanes& ahead) {
   const int order = motions.order;
   if (motions.evaluations[body] <= order) ++motions.evaluations[body];
   const double* const of_force = motions.force_weights[motions.evaluations[body]];
@@ -84,7 +85,10 @@ inline Lanes advance_velocity(const PlanarMotions& motions, int body) {
     store_lanes(motions.past_acceleration[order - 2][body].d, a);
   }
   const Lanes but_the_radius = {1.0, 1.0, 1.0, 0.0};
-  store_lanes(velocity, v + motions.dt * (dv * but_the_radius));
+  const Lanes change = motions.dt * (dv * but_the_radius), after = v + change;
+  store_lanes(velocity, after);
+  const double steps = motions.steps_ahead;
+  ahead = (steps * motions.dt) * (after + (0.5 * steps) * change);
   return dx;
 }
 
@@ -93,7 +97,8 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
   const Lanes most = all_lanes(1e-4);
   Lanes square = angle * angle;
   int halvings = 0;
-  while (lane_bits(lane_less(most, square)) != 0) {
+  // An angle beyond all numbers, of bodies that blow up, ends as one that is none.
+  while (lane_bits(lane_less(most, square)) != 0 && halvings < 1100) {
     angle = 0.5 * angle;
     square = 0.25 * square;
     ++halvings;
@@ -117,12 +122,15 @@ int advance(const PlanarMotions& motions) {
   for (int first = motions.bodies.first; first < motions.bodies.end; first += body_lanes) {
     // Bodies beyond the last repeat it.
     const int left = motions.bodies.end - first, members = left < body_lanes ? left : body_lanes;
-    Lanes motion[body_lanes], place[body_lanes];
+    Lanes motion[body_lanes], ahead[body_lanes], place[body_lanes];
     for (int k = 0; k < body_lanes; ++k) {
-      motion[k] = k < members ? advance_velocity(motions, first + k) : motion[members - 1];
+      motion[k] =
+          k < members ? advance_velocity(motions, first + k, ahead[k]) : motion[members - 1];
+      if (k >= members) ahead[k] = ahead[members - 1];
       place[k] = load_lanes(&motions.frames[first + (k < members ? k : members - 1)].x);
     }
     transpose_lanes(motion);
+    transpose_lanes(ahead);
     transpose_lanes(place);
     const Lanes x = place[0] + motions.dt * motion[0], y = place[1] + motions.dt * motion[1];
     Lanes c, s;
@@ -139,10 +147,17 @@ int advance(const PlanarMotions& motions) {
     const Lanes rx = x - load_lanes(at.x), ry = y - load_lanes(at.y);
     const Lanes tc = place[2] - load_lanes(at.cosine), ts = place[3] - load_lanes(at.sine);
     const Lanes reach = load_lanes(at.reach);
-    // |a| + |b| <= sqrt(2 (a^2 + b^2))
-    const Lanes moved = lane_sqrt(2.0 * (rx * rx + ry * ry + reach * reach * (tc * tc + ts * ts)));
+    const auto square_of_way = [&](Lanes x_way, Lanes y_way, Lanes cosine_way, Lanes sine_way) {
+      const Lanes turn = reach * reach * (cosine_way * cosine_way + sine_way * sine_way);
+      return 2.0 * (x_way * x_way + y_way * y_way + turn);  // |a| + |b| <= sqrt(2 (a^2 + b^2))
+    };
+    const Lanes moved = lane_sqrt(square_of_way(rx, ry, tc, ts));
     store_lanes(motions.moved + first, moved);
-    const int far = lane_bits(lane_less(load_lanes(at.skin), moved));
+    const Lanes will_move = square_of_way(rx + ahead[0], ry + ahead[1], tc - ahead[2] * place[3],
+                                          ts + ahead[2] * place[2]);
+    const Lanes skin = load_lanes(at.skin);
+    const int far =
+        lane_bits(lane_less(skin, moved)) | lane_bits(lane_less(skin * skin, will_move));
     transpose_lanes(place);
     for (int k = 0; k < members; ++k) {
       store_lanes(&motions.frames[first + k].x, place[k]);

@@ -58,8 +58,9 @@ class PlanarGrid {
 class PlanarHalo;
 
 constexpr int steps_in_sweep = 8;  // at most
-/// What is found next to a body when it is listed anew may be some steps ahead of it, so it is
-/// listed before it has gone all its skin.
+/// What is found next to a body when it is listed anew may be some steps ahead of it, and must not
+/// touch it before. So a body is listed when it is about to leave its skin in what is left of the
+/// sweep, and this much before, for what the forces of these steps may add.
 constexpr double before_its_skin = 0.98;
 
 struct PlanarScene::Data {
@@ -69,7 +70,7 @@ struct PlanarScene::Data {
   // planar_sweep.cpp
   void sweep(int steps);
   void step(int stage);
-  void move(int part);
+  void move(int part, int steps_ahead);
   PlanarMotions motions();
   void make_missed_motion(int body);
   void fill_past(int body);
@@ -89,7 +90,7 @@ struct PlanarScene::Data {
   void list_near(int body, int end);
   void list_pair(int i, int j);
   void list_walls(int i);
-  double wanted_skin(int body) const;
+  double way_in_step(int body) const;
   struct Coefficients {  // of a block
     int law;
     double gamma[2];
@@ -133,6 +134,10 @@ struct PlanarScene::Data {
   PlanarParts parts;
   std::vector<int> completed_by;  // part with the last of the blocks of each part's bodies
   int made[steps_in_sweep];       // parts that each step of a sweep, its stage, has made
+  int steps_of_sweep = 1;         // of this one
+  // No body that was listed since the blocks were sorted may go its skin in a sweep: steps that
+  // are left by those of the sort before, and by those since.
+  int longest_sweep = steps_in_sweep, next_longest_sweep = steps_in_sweep;
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
 
