@@ -124,7 +124,7 @@ void PlanarContacts::refuse(const std::string& what) const {
 void PlanarContacts::connect() {
   pair_ = static_cast<PairGran*>(force->pair_match("gran", 1));
   if (!pair_ || pair_ != force->pair)
-    refuse(std::string("pair_style gran is needed, alone, with ") + needed_models);
+    refuse(std::string("pair_style gran is needed, not in a hybrid, with ") + needed_models);
   if (!has_known_models(pair_))
     refuse(std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();

@@ -135,8 +135,7 @@ struct PlanarScene::Data {
   std::vector<int> completed_by;  // part with the last of the blocks of each part's bodies
   int made[steps_in_sweep];       // parts that each step of a sweep, its stage, has made
   int steps_of_sweep = 1;         // of this one
-  // No body that was listed since the blocks were sorted may go its skin in a sweep: steps that
-  // are left by those of the sort before, and by those since.
+  // Steps in which no body goes its skin: at present, and of those listed since blocks were sorted.
   int longest_sweep = steps_in_sweep, next_longest_sweep = steps_in_sweep;
   std::unique_ptr<PlanarHalo> halo;
   PlanarKernel kernel;
