@@ -4,7 +4,7 @@
 #
 #   inputs/run.sh PRESET [-var NAME VALUE ...]
 #
-# PRESET    quick (400 particles, ten seconds) or paper (9000 particles, half an hour)
+# PRESET    quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one)
 # -var …    handed to the deck, see inputs/README.md
 # OUT=…     run folder, default results/PRESET;   RANKS=n  MPI ranks, default 1
 # A run that is complete is not run again; one that was interrupted goes on from its last restart file.

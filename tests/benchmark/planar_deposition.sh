@@ -7,7 +7,7 @@
 #
 #   tests/benchmark/planar_deposition.sh BUILD-FOLDER
 #
-# The deposition is run once (half an hour). Writes BUILD-FOLDER/benchmark/planar_deposition.json.
+# The deposition is run once (half an hour to one). Writes BUILD-FOLDER/benchmark/planar_deposition.json.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
