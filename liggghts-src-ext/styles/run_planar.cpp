@@ -42,12 +42,6 @@ const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere",
                                    "wall/gran",      "wall/gran/solid",
                                    "gravity",        "contacthistory"};
 
-std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 bool quits() { return SignalHandler::request_quit && !SignalHandler::request_write_restart; }
 
 bool is_known(const char* style) {
@@ -356,9 +350,15 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   settings.instructions = instructions_;
   // so that what parts is still listed where LIGGGHTS would follow it
   const double least = (settings.close_factor - 1.0) * largest[3];
-  if (min_skin_ > 0.0 && min_skin_ < least)
-    refuse("skin is at least " + text_of(min_skin_) + " m, expected " + text_of(least) +
-           " m or more: the contact distance factor less 1 times the largest radius");
+  if (min_skin_ > 0.0 && min_skin_ < least) {
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "skin is at least %g m, expected %g m or more: the contact distance factor less 1 "
+        "times the largest radius",
+        min_skin_, least);
+    refuse(text);
+  }
   settings.min_skin = min_skin_ > 0.0 ? min_skin_ : std::max(-0.06 * largest[0], least);
   settings.max_skin = max_skin_ > 0.0 ? max_skin_ : std::max(-0.6 * largest[0], settings.min_skin);
   // LIGGGHTS passes atoms and bodies on to the next rank, not beyond it; they may have gone half

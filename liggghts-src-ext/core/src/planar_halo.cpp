@@ -113,16 +113,14 @@ double PlanarHalo::checked_way(const PlanarScene::Data& scene) const {
 /// Whether ghosts have to be chosen anew, and when to ask again. Collective.
 bool PlanarHalo::ask(const PlanarScene::Data& scene) {
   const double way = checked_way(scene);
-  double speed = 0.0, least_room = 1e300;
+  double fastest = 0.0, least_room = 1e300;
   for (int b = 0; b < scene.owned; ++b) {
-    const double* v = scene.frames[b].velocity;
-    speed = std::max(
-        speed, std::sqrt(v[0] * v[0] + v[1] * v[1]) + scene.listed[b].reach * std::fabs(v[2]));
+    fastest = std::max(fastest, scene.way_in_step(b));
     if (is_limited_) least_room = std::min(least_room, room(scene, b));
   }
-  double values[3] = {way, speed, -least_room};
+  double values[3] = {way, fastest, -least_room};
   ranks_.largest(values, 3);
-  const double way_in_step = speed_margin * values[1] * scene.settings.dt;
+  const double way_in_step = speed_margin * values[1];
   const auto patience = [&](double left) {
     if (left <= 0.0) return 0;
     return left < most_patience * way_in_step ? static_cast<int>(left / way_in_step)
