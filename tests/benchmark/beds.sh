@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 # The packings from which methods are timed: deposited by run_style verlet/planar in the paper's container.
-# Each is made once, in BUILD-FOLDER/benchmark/beds, the large one beside the others, in some 20 minutes.
+# Each is made once, in BUILD-FOLDER/benchmark/beds, in half an hour for all of them.
 #
 #   tests/benchmark/beds.sh BUILD-FOLDER
 set -eu
@@ -19,14 +19,13 @@ bed() {
   echo "making the bed $name (build/benchmark/beds/$name)"
   rm -rf "${beds:?}/$name"
   stdbuf -oL "$build/bin/liggghts" -in "$here/../../inputs/deposition/in.deposition" \
-    -var output_interval 100 -var out "$beds/$name" "$@" > "$beds/$name.out" 2>&1 || { tail -3 "$beds/$name.out"; exit 1; }
+    -var output_interval 100 -var out "$beds/$name" "$@" > "$beds/$name.out" 2>&1 ||
+    { tail -3 "$beds/$name.out"; exit 1; }
 }
 
-bed ar5 -var particles 3000 -var restart_interval 5.45 & # the first restart file: half filled
-large=$!
+bed ar5 -var particles 3000 -var restart_interval 5.45 # the first restart file: half filled
 bed ar2 -var aspect_ratio 2 -var particles 1500 -var restart_interval 100
 bed spheres -var aspect_ratio 1 -var particles 1500 -var restart_interval 100
 bed coarse -var surface coarse -var particles 1000 -var restart_interval 100
 bed curved -var curvature 120 -var particles 1000 -var restart_interval 100
 bed ar7 -var aspect_ratio 7 -var particles 1000 -var restart_interval 100
-wait $large

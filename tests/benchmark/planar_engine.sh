@@ -20,7 +20,8 @@ work=$build/benchmark/planar_engine
 mkdir -p "$work"
 cd "$work"
 
-# Sets `bed` (its restart file), `particle` (variables of in.steps) and the methods beside the built-in's.
+# Sets `bed` (its restart file), `stock_bed` (the same for `stock`), `particle` (variables of in.steps) and the
+# methods; makes the second.
 describe() {
   others="spheres planar planar:events=no"
   skins="1e-4 3e-4 1e-3"
@@ -53,6 +54,11 @@ describe() {
   esac
   # shellcheck disable=SC2012,SC2086  # a pattern; names without blanks
   bed=$(ls "$build/benchmark/beds/$folder"/restart/deposition.$state.restart | head -n 1)
+  stock_bed=$work/$1.$stock
+  case $stock in
+    nve) "$here/bed_data.sh" "$build/benchmark/beds/$folder" | sed '/^Molecules/,$d' ;;
+    builtin) "$here/for_builtin.sh" "$bed" ;;
+  esac > "$stock_bed"
   methods=
   for skin in $skins; do methods="$methods $stock:skin=$skin"; done
   methods="$methods $others"
@@ -69,16 +75,7 @@ for case in $cases; do
         arguments="$arguments -var ${setting%%=*} ${setting#*=}"
       done
       start=$bed
-      case $method in
-        nve*)
-          start=$work/$case.data
-          "$here/bed_data.sh" "$build/benchmark/beds/$folder" | sed '/^Molecules/,$d' > "$start"
-          ;;
-        builtin*)
-          start=$work/$case.restart
-          "$here/for_builtin.sh" "$bed" > "$start"
-          ;;
-      esac
+      case $method in "$stock":*) start=$stock_bed ;; esac
       steps=1000
       case $method in planar*) steps=4000 ;; esac
       # shellcheck disable=SC2086  # words

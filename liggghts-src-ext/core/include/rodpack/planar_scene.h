@@ -48,7 +48,7 @@ struct PlanarSettings {
   int types = 1;
   std::vector<PlanarLaw> laws;  // types x types, row by row, symmetric
   std::vector<PlanarWall> walls;
-  /// A body is listed anew when a point of it has moved by its skin: the way it goes in
+  /// A body is listed anew before a point of it has moved by its skin: the way it goes in
   /// `skin_steps` steps at its present speed, within [min_skin, max_skin]. Contacts that part by
   /// more than both skins in a step lose the correction of their end: see close_factor.
   double skin_steps = 80.0, min_skin = 1e-4, max_skin = 1e-3;
