@@ -199,7 +199,7 @@ endfunction()
 # Links our headers and contact-model combinations into the staged folder, flat as LIGGGHTS wants
 # them, and lets Make.sh derive the style lists; it leaves a list alone that did not change.
 function(overlay_styles)
-  file(GLOB overlay ${ext}/styles/*.h ${ext}/styles/*.whitelist)
+  file(GLOB overlay ${ext}/styles/*/*.h ${ext}/styles/*/*.whitelist)
   set(registrations "")
   foreach(file ${overlay})
     file(STRINGS ${file} lines REGEX "_(CLASS|MODEL)")

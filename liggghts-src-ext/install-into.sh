@@ -22,17 +22,27 @@ src=$1
 version=$(cat "$src/version_liggghts.txt" 2> /dev/null || echo unknown)
 [ "$version" = 3.8.0 ] || fail "$src is version $version, expected 3.8.0"
 
-# Calls "$1 OURS THEIRS" for each file.
+# Calls "$1 OURS THEIRS" for each file, OURS as it reads there: LIGGGHTS compiles one flat folder and
+# names no other to the compiler. So styles lie flat, headers of the core in rodpack/<room>/, and
+# includes name the way from the one to the other.
 for_each_file() {
-  for file in "$ext"/styles/*.h "$ext"/styles/*.cpp; do
+  for file in "$ext"/styles/*/*.h "$ext"/styles/*/*.cpp; do
     "$1" "$file" "$src/$(basename "$file")"
   done
-  for file in "$ext"/core/include/rodpack/*.h "$ext"/vtk/rodpack/*.h; do
-    "$1" "$file" "$src/rodpack/$(basename "$file")"
+  for file in "$ext"/core/include/rodpack/*/*.h "$ext"/core/src/*.h "$ext"/core/src/*/*.h \
+    "$ext"/vtk/rodpack/*/*.h; do
+    place=${file#"$ext"/core/include/rodpack/}
+    place=${place#"$ext"/core/src/}
+    place=${place#"$ext"/vtk/rodpack/}
+    sed 's|#include "rodpack/|#include "../|' "$file" > "$scratch/ours"
+    "$1" "$scratch/ours" "$src/rodpack/$place"
   done
-  # The prefix keeps our sources apart from LIGGGHTS's own: all share one folder there.
-  for file in "$ext"/core/src/*.cpp; do
-    "$1" "$file" "$src/rodpack_$(basename "$file")"
+  # The prefix keeps our sources apart from LIGGGHTS's own.
+  for file in "$ext"/core/src/*/*.cpp; do
+    room=$(basename "$(dirname "$file")")
+    sed -e '/#include "rodpack\//b' -e 's|#include "\.\./|#include "rodpack/|' \
+      -e '/#include "rodpack\//b' -e "s|#include \"|#include \"rodpack/$room/|" "$file" > "$scratch/ours"
+    "$1" "$scratch/ours" "$src/rodpack_${room}_$(basename "$file")"
   done
 }
 
@@ -44,6 +54,7 @@ refuse_different() {
 
 copy() {
   if [ ! -e "$2" ]; then
+    mkdir -p "$(dirname "$2")"
     cp "$1" "$2"
   elif ! cmp -s "$1" "$2"; then
     cp "$1" "$2"
@@ -51,13 +62,14 @@ copy() {
   fi
 }
 
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
 [ "$update" = yes ] || for_each_file refuse_different
-mkdir -p "$src/rodpack"
 for_each_file copy
 
 # Model combinations to be compiled for the fast path: the user's own lines stay.
 list=style_contact_model_user.whitelist
 while read -r line; do
   grep -qsxF "$line" "$src/$list" || echo "$line" >> "$src/$list"
-done < "$ext/styles/$list"
+done < "$ext/styles/contact/$list"
 echo "rodpack's styles are in $src; build it with: make auto"

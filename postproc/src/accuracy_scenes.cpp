@@ -5,9 +5,9 @@
 
 #include "rodpack/accuracy.h"
 #include "rodpack/accuracy_references.h"
-#include "rodpack/contact_law.h"
+#include "rodpack/contact/contact_law.h"
 #include "rodpack/data_error.h"
-#include "rodpack/mass_properties.h"
+#include "rodpack/geometry/mass_properties.h"
 #include "rodpack/text.h"
 
 namespace rodpack {

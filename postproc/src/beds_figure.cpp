@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "rodpack/beds.h"
-#include "rodpack/chain_geometry.h"
+#include "rodpack/geometry/chain_geometry.h"
 #include "rodpack/figure.h"
 #include "rodpack/text.h"
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "rodpack/beds.h"
-#include "rodpack/chain_geometry.h"
+#include "rodpack/geometry/chain_geometry.h"
 #include "rodpack/surface_roughness.h"
 #include "rodpack/text.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "rodpack/chain_geometry.h"
+#include "rodpack/geometry/chain_geometry.h"
 #include "rodpack/comparison.h"
 #include "rodpack/dump.h"
 #include "rodpack/packing.h"

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "rodpack/field_image.h"
+#include "rodpack/vtk/field_image.h"
 #include "rodpack/text.h"
 
 namespace rodpack {

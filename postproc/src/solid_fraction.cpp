@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rodpack/averaging_kernel.h"
+#include "rodpack/averaging/averaging_kernel.h"
 #include "rodpack/figure.h"
 #include "rodpack/text.h"
 

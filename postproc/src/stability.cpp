@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "rodpack/data_error.h"
-#include "rodpack/mass_properties.h"
-#include "rodpack/stability_limit.h"
+#include "rodpack/geometry/mass_properties.h"
+#include "rodpack/motion/stability_limit.h"
 #include "rodpack/text.h"
 
 namespace rodpack {

@@ -3,7 +3,7 @@
 
 #include "rodpack/figure.h"
 #include "rodpack/stability.h"
-#include "rodpack/stability_limit.h"
+#include "rodpack/motion/stability_limit.h"
 #include "rodpack/text.h"
 
 namespace rodpack {

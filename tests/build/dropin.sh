@@ -33,7 +33,7 @@ cmake -DLIGGGHTS_SOURCE="$3" -DLIGGGHTS_WORK="$3/staged" -P "$ext/StageLiggghts.
 # As `make auto` does. The stock list of combinations is taken over: making it takes Make.sh a minute.
 cp "$3/staged/src/style_contact_model.whitelist" "$tree"
 (cd "$tree" && sh Make.sh style && sh Make.sh models > /dev/null)
-for header in "$ext"/styles/*.h; do
+for header in "$ext"/styles/*/*.h; do
   name=$(basename "$header")
   if grep -q '^#ifdef [A-Z]*_\(CLASS\|MODEL\)' "$header"; then
     cat "$tree"/style_*.h | grep -qF "\"$name\"" || fail "$name is in no style list"
@@ -41,7 +41,7 @@ for header in "$ext"/styles/*.h; do
 done
 while read -r combination; do
   grep -qF "$combination" "$tree/style_contact_model.h" || fail "not whitelisted: $combination"
-done < "$ext/styles/style_contact_model_user.whitelist"
+done < "$ext/styles/contact/style_contact_model_user.whitelist"
 cmp "$tree/style_contact_model.h" "$3/staged/src/style_contact_model.h" ||
   fail "the two ways compile different contact-model combinations"
 
@@ -53,10 +53,10 @@ for source in modify.cpp dump_stress_goldhirsch.cpp rodpack_*.cpp; do
 done
 
 # A file of the user's that has our name stays, and is named.
-echo "// mine" > rodpack/chain_geometry.h
+echo "// mine" > rodpack/geometry/chain_geometry.h
 if "$ext/install-into.sh" . 2> refusal; then fail "overwrote a file that differs"; fi
-grep -q 'rodpack/chain_geometry.h exists and differs' refusal || fail "refusal: $(cat refusal)"
-grep -qx '// mine' rodpack/chain_geometry.h || fail "overwrote a file that differs"
+grep -q 'rodpack/geometry/chain_geometry.h exists and differs' refusal || fail "refusal: $(cat refusal)"
+grep -qx '// mine' rodpack/geometry/chain_geometry.h || fail "overwrote a file that differs"
 "$ext/install-into.sh" --update . | grep -q '^replaced' || fail "--update did not replace"
 
 echo 3.7.0 > version_liggghts.txt

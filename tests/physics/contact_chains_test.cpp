@@ -6,9 +6,9 @@
 #include <string>
 
 #include "liggghts_run.h"
-#include "rodpack/chain_geometry.h"
-#include "rodpack/contact_law.h"
-#include "rodpack/mass_properties.h"
+#include "rodpack/geometry/chain_geometry.h"
+#include "rodpack/contact/contact_law.h"
+#include "rodpack/geometry/mass_properties.h"
 
 using namespace rodpack::test;
 

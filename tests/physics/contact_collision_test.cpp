@@ -11,7 +11,7 @@
 
 #include "collision_reference.h"
 #include "liggghts_run.h"
-#include "rodpack/contact_law.h"
+#include "rodpack/contact/contact_law.h"
 
 using namespace rodpack::test;
 

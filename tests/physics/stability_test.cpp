@@ -9,7 +9,7 @@
 
 #include "liggghts_run.h"
 #include "rodpack/stability.h"
-#include "rodpack/stability_limit.h"
+#include "rodpack/motion/stability_limit.h"
 
 using namespace rodpack::test;
 using rodpack::stability_limit;

@@ -13,9 +13,9 @@
 #include "../physics/collision_reference.h"
 #include "liggghts_run.h"
 #include "rodpack/accuracy_references.h"
-#include "rodpack/contact_law.h"
+#include "rodpack/contact/contact_law.h"
 #include "rodpack/data_error.h"
-#include "rodpack/mass_properties.h"
+#include "rodpack/geometry/mass_properties.h"
 #include "rodpack/text.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "rodpack/chain_geometry.h"
+#include "rodpack/geometry/chain_geometry.h"
 
 namespace {
 

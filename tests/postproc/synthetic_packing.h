@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "rodpack/chain_geometry.h"
+#include "rodpack/geometry/chain_geometry.h"
 
 namespace rodpack::test {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rodpack/contact_forces.h"
-#include "rodpack/mass_properties.h"
+#include "rodpack/geometry/mass_properties.h"
 #include "rodpack/orientation.h"
 
 namespace rodpack {

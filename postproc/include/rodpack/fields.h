@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/coarse_graining.h"
+#include "rodpack/averaging/coarse_graining.h"
 #include "rodpack/packing.h"
 
 namespace rodpack {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_CONTACT_CONTACT_LAW_H
+#define RODPACK_CONTACT_CONTACT_LAW_H
+
+#include <cmath>
+
+namespace rodpack {
+
+// Linear spring-dashpot contact of Lu et al., Granular Matter 18:34 (2016), section 2. Header-only
+// because it runs once per contact and step. Arguments are not checked.
+
+/// Dashpot constant c = 2 eta sqrt(m_ij k_ij), kg/s, from the damping ratio eta (1: critical), the
+/// effective mass (kg; for a wall the particle's own mass) and the contact stiffness (N/m).
+inline double damping_coefficient(double damping_ratio, double effective_mass, double stiffness) {
+  return 2.0 * damping_ratio * std::sqrt(effective_mass * stiffness);
+}
+
+struct NormalForce {
+  double total;    // repulsive force, never negative, N
+  double elastic;  // spring part alone, which the Coulomb cap uses, N
+};
+
+/// Normal force max(0, k delta - c v): `stiffness` k in N/m, `damping` c in kg/s, `overlap` delta
+/// in m (positive in contact), `separation_velocity` v in m/s (positive when separating).
+inline NormalForce normal_force(double stiffness, double damping, double overlap,
+                                double separation_velocity) {
+  const double elastic = stiffness * overlap;
+  const double total = elastic - damping * separation_velocity;
+  return {total > 0.0 ? total : 0.0, elastic};
+}
+
+/// Tangential force -(k s + c v) on particle i, N, limited to the magnitude `cap` = mu * elastic
+/// normal force. `velocity` v is that of i's surface relative to j's in the plane of contact (m/s)
+/// and `spring` s its integral over the life of the contact (m). Where the cap acts, the spring is
+/// shortened so that it alone carries the cap (s = -force/k). Returns true when capped.
+template <int D>
+inline bool tangential_force(double stiffness, double damping, double cap, double (&spring)[D],
+                             const double (&velocity)[D], double (&force)[D]) {
+  double squared = 0.0;
+  for (int d = 0; d < D; ++d) {
+    force[d] = -(stiffness * spring[d] + damping * velocity[d]);
+    squared += force[d] * force[d];
+  }
+  if (squared <= cap * cap) return false;
+  const double scale = cap / std::sqrt(squared);
+  for (int d = 0; d < D; ++d) {
+    force[d] *= scale;
+    // Without tangential stiffness there is no spring to carry anything.
+    spring[d] = stiffness > 0.0 ? -force[d] / stiffness : 0.0;
+  }
+  return true;
+}
+
+/// Coefficient of restitution of a head-on collision under `normal_force`, which ends when the
+/// force has fallen to zero: e = exp(-2 eta acos(eta) / sqrt(1 - eta^2)), continued to eta >= 1
+/// (Schwager and Poeschel, Granular Matter 9, 465, 2007). It exceeds exp(-pi eta / sqrt(1 -
+/// eta^2)), the value of a contact that may pull. @throws std::invalid_argument for a negative
+/// damping ratio.
+double restitution_coefficient(double damping_ratio);
+
+}  // namespace rodpack
+
+#endif

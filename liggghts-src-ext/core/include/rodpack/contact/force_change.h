@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_CONTACT_FORCE_CHANGE_H
+#define RODPACK_CONTACT_FORCE_CHANGE_H
+
+#include <algorithm>
+
+#include "../geometry/vector3.h"
+
+namespace rodpack {
+
+// Events of a contact. A contact force is smooth in time but for touch, end, and changes between
+// the branches of its law. A multistep formula that extrapolates through such an event is of first
+// order where the force jumps (a dashpot at touch) and of second where it has a kink.
+//
+// Once the event is known, one step late, three things restore the order: the impulse and the
+// displacement that the step has missed, and records of the past that continue the new branch
+// smoothly backwards, so that the next steps extrapolate the right function. All of them follow
+// from the difference D(t) = new branch - old branch, taken as linear since the event; they add up
+// over the contacts of a body, and the two bodies of a contact get opposite ones, so that momentum
+// is conserved to round-off. With a linear D each of the two or three steps that use it errs by
+// O(dt^3), once per event: third order.
+
+/// Moments of the change D of a force (N) or torque (N m) since an event in the last step.
+struct ForceChange {
+  double now[3];      // D at the end of the step
+  double rate[3];     // dD/dt
+  double impulse[3];  // integral of D since the event
+  double sweep[3];    // double integral of D since the event: displacement times mass
+
+  ForceChange& operator+=(const ForceChange& other) {
+    for (int d = 0; d < 3; ++d) {
+      now[d] += other.now[d];
+      rate[d] += other.rate[d];
+      impulse[d] += other.impulse[d];
+      sweep[d] += other.sweep[d];
+    }
+    return *this;
+  }
+
+  ForceChange& operator*=(double factor) {
+    for (int d = 0; d < 3; ++d) {
+      now[d] *= factor;
+      rate[d] *= factor;
+      impulse[d] *= factor;
+      sweep[d] *= factor;
+    }
+    return *this;
+  }
+
+  /// What the record of the force gains that was made `age` seconds ago (component d).
+  double past_force(int d, double age) const { return now[d] - age * rate[d]; }
+  /// What the record of the momentum gains that was made `age` seconds ago (component d).
+  double past_momentum(int d, double age) const {
+    return impulse[d] - age * now[d] + 0.5 * age * age * rate[d];
+  }
+};
+
+/// A change that is `now` and grows by `rate`, of an event that lies `since` seconds back.
+inline ForceChange linear_change(const double (&now)[3], const double (&rate)[3], double since) {
+  ForceChange change;
+  const double half = 0.5 * since * since, third = since * since * since / 3.0;
+  for (int d = 0; d < 3; ++d) {
+    change.now[d] = now[d];
+    change.rate[d] = rate[d];
+    change.impulse[d] = since * now[d] - half * rate[d];
+    change.sweep[d] = half * now[d] - third * rate[d];
+  }
+  return change;
+}
+
+/// -coefficient times a velocity that has changed, where `acceleration`, `velocity` and
+/// `displacement` are the changes of an event in the last step as seen at its end, and a step of
+/// length `dt` has passed since: the dashpot of a contact whose bodies had an event.
+inline ForceChange dashpot_change(double coefficient, const double (&acceleration)[3],
+                                  const double (&velocity)[3], const double (&displacement)[3],
+                                  double dt) {
+  ForceChange change;
+  for (int d = 0; d < 3; ++d) {
+    const double a = -coefficient * acceleration[d], v = -coefficient * velocity[d];
+    const double x = -coefficient * displacement[d];
+    change.now[d] = v + dt * a;
+    change.rate[d] = a;
+    change.impulse[d] = x + dt * (v + 0.5 * dt * a);
+    change.sweep[d] = dt * (x + dt * (0.5 * v + dt * a / 6.0));
+  }
+  return change;
+}
+
+/// The torque of a changed force at `lever` (m), which moves at `lever_rate` (m/s).
+inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
+                                 const ForceChange& force) {
+  ForceChange torque;
+  double of_rate[3], of_impulse[3];
+  cross(lever, force.now, torque.now);
+  cross(lever, force.rate, torque.rate);
+  cross(lever_rate, force.now, of_rate);
+  // int (L - (t_now - t) L') x D dt, and the sweep is int (t_now - t) D dt
+  cross(lever, force.impulse, torque.impulse);
+  cross(lever_rate, force.sweep, of_impulse);
+  cross(lever, force.sweep, torque.sweep);
+  for (int d = 0; d < 3; ++d) {
+    torque.rate[d] += of_rate[d];
+    torque.impulse[d] -= of_impulse[d];
+  }
+  return torque;
+}
+
+/// Adds the same to `torque` where everything lies in the plane of x and y: its z components.
+inline void add_planar_torque_change(const double (&lever)[3], const double (&lever_rate)[3],
+                                     const ForceChange& force, ForceChange& torque) {
+  const auto about_z = [](const double(&arm)[3], const double(&vector)[3]) {
+    return arm[0] * vector[1] - arm[1] * vector[0];
+  };
+  torque.now[2] += about_z(lever, force.now);
+  torque.rate[2] += about_z(lever, force.rate) + about_z(lever_rate, force.now);
+  torque.impulse[2] += about_z(lever, force.impulse) - about_z(lever_rate, force.sweep);
+  torque.sweep[2] += about_z(lever, force.sweep);
+}
+
+/// Time since a quantity that is `before` one step ago and `now` now, of the other sign, was 0.
+inline double time_since_zero(double before, double now, double dt) {
+  return dt * std::min(1.0, std::max(0.0, now / (now - before)));
+}
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_CONTACT_FRICTION_STEP_H
+#define RODPACK_CONTACT_FRICTION_STEP_H
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_law.h"
+#include "force_change.h"
+#include "../geometry/vector3.h"
+
+namespace rodpack {
+
+// The friction of contact_law.h, followed through a step in which it may begin or cease to slide.
+// With a tangential dashpot the law has this limit as the step goes to 0: a contact slides until
+// its velocity vanishes, since the spring alone carries the cap while it slides; and a contact
+// whose cap falls below the force while the spring moves the surfaces loses the excess of its
+// spring at once, and sticks again. Deciding anew in each step, without looking for the moment,
+// finds these changes O(dt) early or late and is of first order.
+
+/// A contact at the end of a step; vectors lie in its present plane. SI units.
+struct FrictionStep {
+  double stiffness, damping;  // N/m, kg/s; damping > 0
+  double cap, cap_rate;       // mu times the elastic normal force, N, and its rate, N/s
+  double dt;
+  double velocity[3][3];    // now, one and two steps ago, m/s
+  int known;                // how many of these, 2 or 3
+  double spring_before[3];  // one step ago, m
+  bool slid;                // one step ago
+};
+
+struct FrictionForce {
+  double force[3];  // on i, N
+  bool slides;
+  // The change of branch in this step, if there was one.
+  bool changed, jumps;  // jumps: the force did not go on continuously
+  double since;         // s
+  double gain[3];       // over the force if the branch before had gone on, N
+  double gain_rate[3];  // N/s
+};
+
+namespace detail {
+
+/// Time since the quadratic through slip[0] > 0 (now), slip[1] < 0, slip[2] (earlier) was 0.
+inline double time_since_standstill(const double (&slip)[3], int known, double dt) {
+  double x = slip[0] / (slip[0] - slip[1]);
+  if (known > 2) {
+    const double c = 0.5 * (slip[2] - 2.0 * slip[1] + slip[0]), b = slip[1] - slip[0] - c;
+    for (int k = 0; k < 4; ++k) x -= (slip[0] + x * (b + x * c)) / (b + 2.0 * x * c);
+  }
+  return x >= 0.0 && x <= 1.0 ? x * dt : time_since_zero(slip[1], slip[0], dt);
+}
+
+}  // namespace detail
+
+/// The force and its change of branch; `spring` (m) comes as the integral of the velocity and
+/// leaves as the law wants it.
+inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3]) {
+  FrictionForce result = {};
+  double stuck[3], trial = 0.0;
+  for (int d = 0; d < 3; ++d)
+    stuck[d] = -(step.stiffness * spring[d] + step.damping * step.velocity[0][d]);
+  trial = std::sqrt(dot(stuck, stuck));
+  const double cap = std::max(0.0, step.cap);
+  const auto stick = [&] {
+    for (int d = 0; d < 3; ++d)
+      result.force[d] = -(step.stiffness * spring[d] + step.damping * step.velocity[0][d]);
+  };
+  // by which the force was beyond the cap one step ago
+  const auto excess_before = [&] {
+    double before[3];
+    for (int d = 0; d < 3; ++d)
+      before[d] = -(step.stiffness * step.spring_before[d] + step.damping * step.velocity[1][d]);
+    return std::sqrt(dot(before, before)) - (cap - step.dt * step.cap_rate);
+  };
+  if (!step.slid && trial <= cap) {
+    stick();
+    return result;
+  }
+
+  double direction[3], slip[3];  // of the force; velocity against which it acts, < 0 in a slide
+  const double* const reference = step.slid ? step.spring_before : stuck;
+  const double length = std::sqrt(dot(reference, reference));
+  for (int d = 0; d < 3; ++d)
+    direction[d] = length > 0.0 ? (step.slid ? -1.0 : 1.0) * reference[d] / length : 0.0;
+  for (int k = 0; k < 3; ++k) slip[k] = k < step.known ? dot(step.velocity[k], direction) : 0.0;
+
+  if (slip[0] < 0.0 || length == 0.0) {  // slides
+    result.slides = true;
+    for (int d = 0; d < 3; ++d) {
+      result.force[d] = trial > 0.0 ? cap / trial * stuck[d] : 0.0;
+      spring[d] = -result.force[d] / step.stiffness;
+    }
+    if (step.slid) return result;
+    const double below = excess_before(), beyond = trial - cap;
+    result.changed = below < 0.0 && beyond > 0.0;
+    if (!result.changed) return result;
+    result.since = time_since_zero(below, beyond, step.dt);
+    for (int d = 0; d < 3; ++d) {
+      result.gain[d] = -beyond / trial * stuck[d];
+      result.gain_rate[d] = -(beyond - below) / step.dt / trial * stuck[d];
+    }
+    return result;
+  }
+
+  // Sticks, with the spring that carried the cap at the moment of the change, and what the surfaces
+  // have moved since.
+  result.changed = true;
+  const bool stands = step.slid && slip[1] < 0.0;
+  if (stands) {
+    result.since = detail::time_since_standstill(slip, step.known, step.dt);
+  } else {
+    const double below = excess_before();
+    result.since = below < 0.0 ? time_since_zero(below, trial - cap, step.dt) : 0.0;
+  }
+  const double at_change = std::max(0.0, step.cap - result.since * step.cap_rate);
+  const double share = result.since / step.dt;
+  for (int d = 0; d < 3; ++d) {
+    const double then = (1.0 - share) * step.velocity[0][d] + share * step.velocity[1][d];
+    spring[d] = -at_change / step.stiffness * direction[d] +
+                0.5 * result.since * (step.velocity[0][d] + then);
+  }
+  stick();
+  const double strength = std::sqrt(dot(result.force, result.force));
+  if (strength > cap)
+    for (int d = 0; d < 3; ++d) {
+      spring[d] = -cap / step.stiffness * direction[d];
+      result.force[d] = cap / strength * result.force[d];
+    }
+
+  // Cut off, the spring is short by the same length ever after. At a standstill the force goes on
+  // from the cap, but for the dashpot of a velocity across it, in space.
+  double across = 0.0;
+  for (int d = 0; d < 3; ++d) {
+    const double v = step.velocity[0][d];
+    across = std::max(across, std::fabs(v - slip[0] * direction[d]));
+    result.gain[d] = result.force[d] - (stands ? cap * direction[d] : stuck[d]);
+    result.gain_rate[d] = stands ? -step.stiffness * v -
+                                       step.damping * (v - step.velocity[1][d]) / step.dt -
+                                       step.cap_rate * direction[d]
+                                 : 0.0;
+  }
+  result.jumps = !stands || across > 1e-9 * std::fabs(slip[0]);
+  return result;
+}
+
+}  // namespace rodpack
+
+#endif

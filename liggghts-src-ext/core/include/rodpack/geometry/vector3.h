@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_GEOMETRY_VECTOR3_H
+#define RODPACK_GEOMETRY_VECTOR3_H
+
+namespace rodpack {
+
+// Plain arrays of three doubles, as LIGGGHTS keeps them.
+
+inline double dot(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// result = a x b; must be none of them.
+inline void cross(const double* a, const double* b, double* result) {
+  result[0] = a[1] * b[2] - a[2] * b[1];
+  result[1] = a[2] * b[0] - a[0] * b[2];
+  result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/contact/contact_network.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "../eigen_dense.h"
+#include "rodpack/motion/stability_limit.h"
+
+namespace rodpack {
+namespace {
+
+// Not aligned: in C++14 a std::vector of them has no room for more than the usual alignment.
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
+using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+using Vector3 = Eigen::Vector3d;
+
+/// L^-1 of the body's mass matrix M = L L^T in its free motions, 0 in the others: it turns forms of
+/// (x, y, z; rotations) into such of coordinates in which the mass is 1.
+Matrix6 unit_mass(const NetworkBody& body, std::size_t index) {
+  Matrix6 mass = Matrix6::Identity();
+  for (int a = 0; a < 6; ++a) {
+    for (int b = 0; b < 6; ++b) {
+      if (!body.is_free[a] || !body.is_free[b]) continue;
+      if (a < 3 || b < 3)
+        mass(a, b) = a == b ? body.mass : 0.0;
+      else
+        mass(a, b) = body.moments[a - 3][b - 3];
+    }
+  }
+  const Eigen::LLT<Matrix6> factor(mass);
+  if (factor.info() != Eigen::Success || !mass.allFinite())
+    throw std::invalid_argument("contact network: body " + std::to_string(index) +
+                                ": mass and moments of inertia have to be positive");
+  Matrix6 result = factor.matrixL().solve(Matrix6::Identity());
+  for (int a = 0; a < 6; ++a)
+    if (!body.is_free[a]) result.row(a).setZero();
+  return result;
+}
+
+/// Forms g g^T of one side of a contact along its normal and in its plane, coordinates of unit
+/// mass.
+struct Side {
+  Matrix6 along, across;
+};
+
+Side side_of(const NetworkContact& contact, const double* arm, const Matrix6& scale) {
+  const Vector3 n(contact.normal[0], contact.normal[1], contact.normal[2]);
+  const Vector3 t = n.unitOrthogonal(), b = n.cross(t), r(arm[0], arm[1], arm[2]);
+  const auto form = [&](const Vector3& direction) -> Matrix6 {
+    Vector6 g;
+    g << direction, r.cross(direction);
+    g = scale * g;
+    return g * g.transpose();
+  };
+  return {form(n), form(t) + form(b)};
+}
+
+double largest_eigenvalue(const Matrix6& form) {
+  using Aligned = Eigen::Matrix<double, 6, 6>;  // the solver compiles for no other
+  const Eigen::SelfAdjointEigenSolver<Aligned> solver(Aligned(form), Eigen::EigenvaluesOnly);
+  return std::max(0.0, solver.eigenvalues().maxCoeff());
+}
+
+/// A contact's constants along the normal and in its plane.
+struct Constants {
+  double n, t;
+};
+
+class Network {
+ public:
+  Network(const std::vector<NetworkBody>& bodies, const std::vector<NetworkContact>& contacts)
+      : bodies_(bodies), contacts_(contacts), counts_(bodies.size(), 0) {
+    const auto n = static_cast<int>(bodies.size());
+    std::vector<Matrix6> scales;
+    for (const NetworkBody& body : bodies) scales.push_back(unit_mass(body, scales.size()));
+    for (const NetworkContact& contact : contacts) {
+      if (contact.i < 0 || contact.i >= n || contact.j >= n || contact.i == contact.j)
+        throw std::invalid_argument("contact network: bodies " + std::to_string(contact.i) +
+                                    " and " + std::to_string(contact.j) + " of " +
+                                    std::to_string(n));
+      if (!(contact.stiffness_n > 0.0) || !(contact.stiffness_t >= 0.0))
+        throw std::invalid_argument("contact network: stiffnesses " +
+                                    std::to_string(contact.stiffness_n) + " and " +
+                                    std::to_string(contact.stiffness_t) +
+                                    ", expected > 0 along the normal and >= 0 across");
+      here_.push_back(side_of(contact, contact.arm_i, scales[contact.i]));
+      there_.push_back(contact.j < 0 ? here_.back()
+                                     : side_of(contact, contact.arm_j, scales[contact.j]));
+      ++counts_[contact.i];
+      if (contact.j >= 0) ++counts_[contact.j];
+    }
+  }
+
+  /// Bound of the largest eigenvalue of the form sum k g g^T with these `constants` of each contact
+  /// (>= 0). `stiffest`, if given: the body of the largest eigenvalue in the first round.
+  template <class ConstantsOf>
+  double bound(ConstantsOf constants, int* stiffest = nullptr) const {
+    std::vector<double> weights;
+    for (const NetworkBody& body : bodies_) weights.push_back(1.0 / body.mass);
+    const int rounds = 5;
+    double best = 0.0;
+    for (int round = 0; round < rounds; ++round) {
+      const std::vector<double> held = by_body(constants, weights);
+      const auto top = std::max_element(held.begin(), held.end());
+      if (round == 0 && stiffest) *stiffest = static_cast<int>(top - held.begin());
+      best = round == 0 ? *top : std::min(best, *top);
+      if (!(*top > 0.0)) break;
+      // As in the power method for the matrix of the blocks' norms: bodies held stiffly weigh more,
+      // which leaves them a smaller part of their contacts. The floor keeps s moderate.
+      for (std::size_t b = 0; b < weights.size(); ++b) weights[b] *= std::max(0.05, held[b] / *top);
+    }
+    return best;
+  }
+
+  int contacts_of(int body) const { return counts_[body]; }
+
+ private:
+  template <class ConstantsOf>
+  std::vector<double> by_body(ConstantsOf constants, const std::vector<double>& weights) const {
+    std::vector<Matrix6> sums(bodies_.size(), Matrix6::Zero());
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const NetworkContact& contact = contacts_[k];
+      const Constants value = constants(contact);
+      const double s = contact.j < 0 ? 0.0 : weights[contact.j] / weights[contact.i];
+      sums[contact.i] += (1.0 + s) * (value.n * here_[k].along + value.t * here_[k].across);
+      if (contact.j >= 0)
+        sums[contact.j] +=
+            (1.0 + 1.0 / s) * (value.n * there_[k].along + value.t * there_[k].across);
+    }
+    std::vector<double> result;
+    for (const Matrix6& sum : sums) result.push_back(largest_eigenvalue(sum));
+    return result;
+  }
+
+  const std::vector<NetworkBody>& bodies_;
+  const std::vector<NetworkContact>& contacts_;
+  std::vector<int> counts_;
+  std::vector<Side> here_, there_;
+};
+
+/// Largest dt |lambda| of a decay without oscillation: the real axis.
+double real_axis_limit(int order) { return stability_limit(order, 1.0); }
+
+}  // namespace
+
+NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
+                           const std::vector<NetworkContact>& contacts) {
+  const Network network(bodies, contacts);
+  NetworkLimit result = {std::numeric_limits<double>::infinity(), 0.0, 0.0, -1, 0};
+  if (contacts.empty()) return result;
+
+  MotionBounds motions = {0.0, 0.0, std::numeric_limits<double>::max(), 0.0};
+  for (const NetworkContact& contact : contacts) {
+    const auto include = [&motions](double delay) {
+      motions.delay_min = std::min(motions.delay_min, delay);
+      motions.delay_max = std::max(motions.delay_max, delay);
+    };
+    include(contact.damping_n / contact.stiffness_n);
+    if (contact.stiffness_t > 0.0) include(contact.damping_t / contact.stiffness_t);
+  }
+  motions.stiffness = network.bound(
+      [](const NetworkContact& c) {
+        return Constants{c.stiffness_n, c.stiffness_t};
+      },
+      &result.stiffest);
+  if (!(motions.stiffness > 0.0)) return result;  // nothing can move
+  motions.damping = network.bound([](const NetworkContact& c) {
+    return Constants{c.damping_n, c.stiffness_t > 0.0 ? c.damping_t : 0.0};
+  });
+  result.stiffness = motions.stiffness;
+  result.damping = motions.damping;
+  result.contacts = network.contacts_of(result.stiffest);
+
+  double safe = timestep_limit(order, motions);
+  MotionBounds not_slow = motions;  // without the corner of strongly damped motions
+  not_slow.delay_max = std::max(motions.delay_min, motions.damping / motions.stiffness);
+  double open = timestep_limit(order, not_slow);
+  // For real roots c <= R + kappa / R, R = rate, and c <= 2 R mean that the faster one is at most
+  // R; the second holds for steps up to `open`, whose corner has the largest c.
+  const auto fast_decay_is_stable = [&](double dt) {
+    const double rate = real_axis_limit(order) / dt;
+    return network.bound([rate](const NetworkContact& c) {
+      const auto rest = [rate](double damping, double stiffness) {
+        return stiffness > 0.0 ? std::max(0.0, damping - stiffness / rate) : 0.0;
+      };
+      return Constants{rest(c.damping_n, c.stiffness_n), rest(c.damping_t, c.stiffness_t)};
+    }) <= rate;
+  };
+  if (open > 1.001 * safe && fast_decay_is_stable(open)) safe = open;
+  for (int k = 0; k < 6 && open > 1.01 * safe; ++k) {
+    const double middle = 0.5 * (safe + open);
+    (fast_decay_is_stable(middle) ? safe : open) = middle;
+  }
+  result.timestep = safe;
+  return result;
+}
+
+}  // namespace rodpack

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The planar engine's inner loops for processors with AVX2.
+#include <cstdint>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+#include "forces.h"
+#include "rodpack/planar/scene.h"
+
+#ifdef __x86_64__
+
+// After all other headers: what they define keeps the instructions of everybody.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
+#endif
+
+namespace rodpack {
+
+namespace {
+
+#include "lanes_avx2.h"
+#include "kernel.h"
+#include "kernel_bodies.h"
+
+}  // namespace
+
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+PlanarKernel planar_kernel_avx2() { return {evaluate_pairs, evaluate_walls, advance}; }
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The planar engine's inner loops for processors with AVX-512.
+#include <cstdint>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+#include "forces.h"
+#include "rodpack/planar/scene.h"
+
+#ifdef __x86_64__
+
+// After all other headers: what they define keeps the instructions of everybody.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma,avx512f,avx512vl,avx512dq"))), \
+                             apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,avx512f,avx512vl,avx512dq")
+#endif
+
+namespace rodpack {
+
+namespace {
+
+#include "lanes_avx512.h"
+#include "kernel.h"
+
+}  // namespace
+
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+/// Walls and bodies are few: AVX2's loops do.
+PlanarKernel planar_kernel_avx512() {
+  PlanarKernel kernel = planar_kernel_avx2();
+  kernel.pairs = evaluate_pairs;
+  return kernel;
+}
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef NORMAL_MODEL
+// clang-format off
+NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
+// clang-format on
+#else
+#ifndef NORMAL_MODEL_SPRING_DASHPOT_H_
+#define NORMAL_MODEL_SPRING_DASHPOT_H_
+
+#include <string>
+#include "contact_events.h"
+#include "contact_models.h"
+#include "contact_recorder.h"
+#include "error.h"
+#include "force.h"
+#include "global_properties.h"
+#include "normal_model_base.h"
+#include "rodpack/contact/contact_law.h"
+#include "rodpack/contact/normal_history.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+// Inline, so that every translation unit registers the same function: the registry compares them.
+inline MatrixProperty* create_damping_ratio_normal(PropertyRegistry& registry, const char* caller,
+                                                   bool) {
+  return MODEL_PARAMS::createPerTypePairProperty(registry, "dampingRatioNormal", caller);
+}
+inline MatrixProperty* create_damping_ratio_tangential(PropertyRegistry& registry,
+                                                       const char* caller, bool) {
+  return MODEL_PARAMS::createPerTypePairProperty(registry, "dampingRatioTangential", caller);
+}
+
+/// Stops unless low <= value < high (low itself excluded when `positive`) for every pair of types.
+inline void check_type_pairs(Error* error, int ntypes, double** values, const char* property,
+                             bool positive, double high, const char* expected) {
+  for (int i = 1; i <= ntypes; ++i) {
+    for (int j = 1; j <= ntypes; ++j) {
+      const double value = values[i][j];
+      if ((positive ? value > 0.0 : value >= 0.0) && value < high) continue;
+      const std::string text = std::string("property/global ") + property + ": value " +
+                               std::to_string(value) + " for types " + std::to_string(i) + " and " +
+                               std::to_string(j) + ", expected " + expected;
+      error->all(FLERR, text.c_str());
+    }
+  }
+}
+
+// Linear spring and dashpot, F_n = max(0, k_n delta - 2 eta_n sqrt(m_ij k_n) v_n), of Lu et al.,
+// Granular Matter 18:34 (2016), section 2; the formula is rodpack::normal_force. It also owns what
+// the tangential models read: sidata.kt, sidata.gammat.
+template <>
+class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
+ public:
+  NormalModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
+      : NormalModelBase(lmp, hsetup, c),
+        offset_(hsetup->add_history_value("spring_dashpot_uncut", "0")),
+        kn_(NULL),
+        kt_(NULL),
+        eta_n_(NULL),
+        eta_t_(NULL) {
+    hsetup->add_history_value("spring_dashpot_touch_rate", "0");
+    hsetup->add_history_value("spring_dashpot_fresh", "0");
+    hsetup->add_history_value("spring_dashpot_normal_step", "0");
+  }
+
+  void registerSettings(Settings&) {}
+  void postSettings(IContactHistorySetup*, ContactModelBase*) {}
+
+  void connectToProperties(PropertyRegistry& registry) {
+    const char* caller = "model spring_dashpot";
+    registry.registerProperty("k_n", &MODEL_PARAMS::createKn);
+    registry.registerProperty("k_t", &MODEL_PARAMS::createKt);
+    registry.registerProperty("dampingRatioNormal", &create_damping_ratio_normal);
+    registry.registerProperty("dampingRatioTangential", &create_damping_ratio_tangential);
+    registry.connect("k_n", kn_, caller);
+    registry.connect("k_t", kt_, caller);
+    registry.connect("dampingRatioNormal", eta_n_, caller);
+    registry.connect("dampingRatioTangential", eta_t_, caller);
+
+    const int ntypes = registry.max_type();
+    const double no_limit = 1e300;
+    check_type_pairs(error, ntypes, kn_, "kn", true, no_limit, "a stiffness > 0 (N/m)");
+    check_type_pairs(error, ntypes, kt_, "kt", true, no_limit, "a stiffness > 0 (N/m)");
+    check_type_pairs(error, ntypes, eta_n_, "dampingRatioNormal", false, 1.0, "0 <= ratio < 1");
+    check_type_pairs(error, ntypes, eta_t_, "dampingRatioTangential", false, 1.0, "0 <= ratio < 1");
+    if (force->cg_active()) error->cg(FLERR, caller);
+  }
+
+  double stressStrainExponent() { return 1.0; }
+
+  void surfacesIntersect(SurfacesIntersectData& sidata, ForceData& i_forces, ForceData& j_forces) {
+    if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_NORMAL_MODEL;
+    // sidata.meff comes from the bodies: each sphere of a clump carries the clump's mass in rmass.
+    set_coefficients(sidata);
+    const rodpack::NormalForce normal =
+        rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn);
+    sidata.Fn = normal.total;
+    follow(sidata, normal.elastic - sidata.gamman * sidata.vn);
+
+    const double force_magnitude = sidata.is_wall ? sidata.Fn * sidata.area_ratio : sidata.Fn;
+    for (int d = 0; d < 3; ++d) {
+      const double component = force_magnitude * sidata.en[d];
+      i_forces.delta_F[d] += component;
+      if (!sidata.is_wall) j_forces.delta_F[d] -= component;
+    }
+    if (ContactRecorder* recorder = ContactRecorder::armed())
+      recorder->add_contact(sidata, i_forces);
+  }
+
+  void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
+    if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_NORMAL_MODEL;
+    if (!scdata.contact_history) return;
+    rodpack::NormalHistory& history = kept(scdata.contact_history);
+    if (history.step == 0.0) return;
+    ContactEvents* const events = ContactEvents::armed();
+    if (events && lives_on(history)) {
+      SurfacesIntersectData contact = events->as_if_in_contact(scdata);
+      set_coefficients(contact);
+      rodpack::end_normal_force(contact, history, update->dt, *events);
+    }
+    history = rodpack::NormalHistory();
+  }
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+
+ private:
+  rodpack::NormalHistory& kept(double* contact_history) const {
+    return *reinterpret_cast<rodpack::NormalHistory*>(contact_history + offset_);
+  }
+
+  void set_coefficients(SurfacesIntersectData& contact) const {
+    const int i = contact.itype, j = contact.jtype;
+    contact.kn = kn_[i][j];
+    contact.kt = kt_[i][j];
+    contact.gamman = rodpack::damping_coefficient(eta_n_[i][j], contact.meff, contact.kn);
+    contact.gammat = rodpack::damping_coefficient(eta_t_[i][j], contact.meff, contact.kt);
+  }
+
+  bool lives_on(const rodpack::NormalHistory& history) const {
+    return history.step == static_cast<double>(update->ntimestep);
+  }
+
+  /// Keeps the history of a contact whose force is `uncut` before the cut, and reports its events.
+  void follow(const SurfacesIntersectData& contact, double uncut) const {
+    if (!contact.computeflag) return;
+    rodpack::NormalHistory& history = kept(contact.contact_history);
+    const bool alive = lives_on(history);
+    const double stamp = static_cast<double>(update->ntimestep + 1);
+    // At set-up the evaluation of the last step is repeated, except after `restart N`, which saves
+    // the contacts of pairs as they were one evaluation before.
+    if (contact.shearupdate || history.step == 0.0 || alive)
+      rodpack::follow_normal_force(contact, history, uncut, alive, update->dt,
+                                   ContactEvents::armed());
+    history.step = stamp;
+  }
+
+  int offset_;      // of its values in a contact's history
+  double** kn_;     // contact stiffness k_n,ij per type pair, N/m
+  double** kt_;     // tangential stiffness k_t,ij, N/m
+  double** eta_n_;  // damping ratios
+  double** eta_t_;
+};
+
+}  // namespace ContactModels
+}  // namespace LIGGGHTS
+
+#endif
+#endif

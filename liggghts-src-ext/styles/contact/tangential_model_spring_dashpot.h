@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef TANGENTIAL_MODEL
+// clang-format off
+TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
+// clang-format on
+#else
+#ifndef TANGENTIAL_MODEL_SPRING_DASHPOT_H_
+#define TANGENTIAL_MODEL_SPRING_DASHPOT_H_
+
+#include <string>
+#include "contact_events.h"
+#include "contact_models.h"
+#include "contact_recorder.h"
+#include "error.h"
+#include "fix.h"
+#include "global_properties.h"
+#include "modify.h"
+#include "normal_model_spring_dashpot.h"
+#include "rodpack/motion/multistep.h"
+#include "rodpack/contact/tangential_history.h"
+#include "tangential_model_base.h"
+#include "update.h"
+
+namespace LIGGGHTS {
+namespace ContactModels {
+
+using rodpack::TangentialHistory;
+
+// Spring and dashpot in the plane of contact, capped at mu times the elastic normal force (Lu et
+// al., Granular Matter 18:34, 2016, section 2; the formula is rodpack::tangential_force). The
+// spring is the integral of the tangential velocity over the life of the contact, by the multistep
+// formula of the integrator that runs.
+//
+// History of a contact: spring (3), the last N tangential velocities, newest first (3 N), number of
+// velocities known (negative while sliding), step of the last update, time between touch and the
+// end of its step. Vectors change sign when the partners swap, so their flag is "1".
+template <>
+class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
+ public:
+  TangentialModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
+      : TangentialModelBase(lmp, hsetup, c),
+        friction_(NULL),
+        slots_setting_(3.0),
+        slots_(0),
+        offset_(-1),
+        order_(0),
+        events_(NULL) {}
+
+  void registerSettings(Settings& settings) {
+    settings.registerDoubleSetting("multistepOrder", slots_setting_, 3.0);
+  }
+
+  void postSettings(IContactHistorySetup* hsetup, ContactModelBase*) {
+    slots_ = static_cast<int>(slots_setting_);
+    if (slots_ != slots_setting_ || slots_ < 1 || slots_ > rodpack::max_multistep_order) {
+      const std::string text = "tangential spring_dashpot: multistepOrder is " +
+                               std::to_string(slots_setting_) + ", expected 1, 2, 3 or 4";
+      error->all(FLERR, text.c_str());
+    }
+    for (int value = 0; value < 3 * (slots_ + 1); ++value) {
+      const int index = hsetup->add_history_value("spring_dashpot_" + std::to_string(value), "1");
+      if (value == 0) offset_ = index;
+    }
+    hsetup->add_history_value("spring_dashpot_count", "0");
+    hsetup->add_history_value("spring_dashpot_step", "0");
+    hsetup->add_history_value("spring_dashpot_since", "0");
+    hsetup->add_history_value("spring_dashpot_friction", "0");
+    hsetup->add_history_value("spring_dashpot_kt", "0");
+    hsetup->add_history_value("spring_dashpot_damping", "0");
+  }
+
+  void connectToProperties(PropertyRegistry& registry) {
+    if (offset_ < 0)
+      error->all(FLERR,
+                 "tangential spring_dashpot: repeat the pair_style command after read_restart");
+    registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
+    registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
+    check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
+                     "a coefficient >= 0");
+    order_ = running_order();
+    events_ = followed_events();
+    if (order_ > slots_) {
+      const std::string order = std::to_string(order_);
+      const std::string text = "tangential spring_dashpot: the integrator that runs is of order " +
+                               order + ", but the contact history is made for multistepOrder " +
+                               std::to_string(slots_) + ": append 'multistepOrder " + order +
+                               "' to pair_style gran and every fix wall/gran";
+      error->all(FLERR, text.c_str());
+    }
+  }
+
+  void surfacesIntersect(const SurfacesIntersectData& sidata, ForceData& i_forces,
+                         ForceData& j_forces) {
+    if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_TANGENTIAL_MODEL;
+    const TangentialHistory history = kept(sidata.contact_history);
+    const bool renewed =
+        sidata.computeflag && (sidata.shearupdate || missed_update_at_setup(history));
+    const rodpack::TangentialForce tangential = rodpack::tangential_contact_force(
+        sidata, history, friction_[sidata.itype][sidata.jtype] * sidata.kn, renewed, this_step(),
+        events_, ContactEvents::armed());
+    apply(sidata, tangential.force, i_forces, j_forces);
+    if (ContactRecorder* recorder = ContactRecorder::armed())
+      recorder->add_tangential(tangential.spring, sidata.kt, i_forces);
+  }
+
+  void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
+    if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_TANGENTIAL_MODEL;
+    if (!scdata.contact_history) return;
+    const TangentialHistory history = kept(scdata.contact_history);
+    if (history.count() == 0.0) return;
+    ContactEvents* const events = ContactEvents::armed();
+    if (events && history.step() == static_cast<double>(update->ntimestep) - 1.0)
+      rodpack::end_tangential_force(events->as_if_in_contact(scdata), history, this_step(),
+                                    *events);
+    history.clear();
+  }
+  void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+  void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
+
+ private:
+  TangentialHistory kept(double* contact_history) const {
+    return TangentialHistory{contact_history + offset_, slots_};
+  }
+
+  rodpack::TangentialStep this_step() const {
+    return rodpack::TangentialStep{order_, static_cast<double>(update->ntimestep), update->dt};
+  }
+
+  /// Order of the multistep integrator among the fixes, 0 if none: velocity Verlet.
+  int running_order() const {
+    int order = 0;
+    for (int i = 0; i < modify->nfix; ++i) {
+      int dim = 0;
+      const int* found = static_cast<int*>(modify->fix[i]->extract("multistep_order", dim));
+      if (!found) continue;
+      if (order != 0 && order != *found)
+        error->all(FLERR,
+                   "tangential spring_dashpot: all multistep integrators need the same order");
+      order = *found;
+    }
+    return order;
+  }
+
+  /// The events that the integrator follows, null if it follows none.
+  ContactEvents* followed_events() const {
+    int dim = 0;
+    for (int i = 0; i < modify->nfix; ++i)
+      if (void* found = modify->fix[i]->extract("contact_events", dim))
+        return static_cast<ContactEvents*>(found);
+    return NULL;
+  }
+
+  /// Whether a contact still needs the update of this step when a run is set up. It does after
+  /// `restart N`, which saves the contacts of pairs as they were before the forces of its step.
+  bool missed_update_at_setup(const TangentialHistory& history) const {
+    const double now = static_cast<double>(update->ntimestep);
+    if (history.count() == 0.0 || history.step() == now - 1.0) return true;
+    // The neighbour lists are new, so whatever has history is touching: it lives on even where the
+    // time step was reset.
+    history.step() = now;
+    return false;
+  }
+
+  static void apply(const SurfacesIntersectData& sidata, const double (&tangential)[3],
+                    ForceData& i_forces, ForceData& j_forces) {
+    const double share = sidata.is_wall ? sidata.area_ratio : 1.0;
+    double moment[3];  // en x F_t; both surfaces lie against the normal from j to i
+    vectorCross3D(sidata.en, tangential, moment);
+    for (int d = 0; d < 3; ++d) {
+      i_forces.delta_F[d] += share * tangential[d];
+      i_forces.delta_torque[d] -= share * sidata.cri * moment[d];
+      if (sidata.is_wall) continue;
+      j_forces.delta_F[d] -= tangential[d];
+      j_forces.delta_torque[d] -= sidata.crj * moment[d];
+    }
+  }
+
+  double** friction_;      // mu per type pair
+  double slots_setting_;   // as read; Settings knows only doubles
+  int slots_;              // N: velocities held per contact
+  int offset_;             // of the spring in a contact's history
+  int order_;              // of the integrator that runs, 0: velocity Verlet
+  ContactEvents* events_;  // that the integrator follows, or null
+};
+
+}  // namespace ContactModels
+}  // namespace LIGGGHTS
+
+#endif
+#endif

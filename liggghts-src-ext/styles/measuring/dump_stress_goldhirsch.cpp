@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "dump_stress_goldhirsch.h"
+
+#include <cstdlib>
+#include <fstream>
+#include "compute_stress_goldhirsch.h"
+#include "error.h"
+#include "modify.h"
+#include "table_dump.h"
+#include "update.h"
+#ifdef LAMMPS_VTK
+#include "rodpack/vtk/field_image.h"
+#endif
+
+namespace LAMMPS_NS {
+
+namespace {
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}  // namespace
+
+DumpStressGoldhirsch::DumpStressGoldhirsch(LAMMPS* lmp, int narg, char** arg)
+    : Dump(lmp, narg, arg), compute_(NULL), image_(ends_with(filename, ".vti")) {
+  if (narg != 6) stop("expected a file and the id of one compute stress/goldhirsch");
+  compute_id_ = arg[5];
+  if (compute_id_.compare(0, 2, "c_") == 0) compute_id_.erase(0, 2);
+  if (multiproc || (!image_ && !ends_with(filename, ".csv")))
+    stop(std::string("file is ") + filename +
+         ", expected a name that ends in .vti or .csv, without %");
+#ifndef LAMMPS_VTK
+  if (image_) stop("LIGGGHTS was built without VTK: write .csv");
+#endif
+}
+
+void DumpStressGoldhirsch::stop(const std::string& text) const {
+  error->all(FLERR, (std::string("Dump ") + style + " (id " + id + "): " + text).c_str());
+  std::abort();  // not reached: Error::all ends the run, but does not say so to the compiler
+}
+
+void DumpStressGoldhirsch::init_style() {
+  const int index = modify->find_compute(compute_id_.c_str());
+  compute_ = index < 0 ? NULL : dynamic_cast<ComputeStressGoldhirsch*>(modify->compute[index]);
+  if (!compute_) stop("there is no compute stress/goldhirsch with the id '" + compute_id_ + "'");
+  if (image_ && !compute_->places().grid())
+    stop("places at single points have no image: write .csv");
+}
+
+void DumpStressGoldhirsch::write() {
+  const std::vector<rodpack::Field>& fields = compute_->current_fields();
+  if (me != 0) return;
+  const std::string name = name_at_step(filename, update->ntimestep, padflag);
+  bool written = false;
+  if (image_) {
+#ifdef LAMMPS_VTK
+    written = rodpack::write_field_image(*compute_->places().grid(), fields,
+                                         static_cast<double>(update->ntimestep) * update->dt, name);
+#endif
+  } else {
+    std::ofstream file(name);
+    file << rodpack::csv_text(compute_->places(), fields);
+    file.close();
+    written = !file.fail();
+  }
+  if (!written) error->one(FLERR, ("Cannot write dump file " + name).c_str());
+}
+
+}  // namespace LAMMPS_NS

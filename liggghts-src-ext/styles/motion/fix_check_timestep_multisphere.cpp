@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_check_timestep_multisphere.h"
+
+#include <mpi.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "fix_multisphere.h"
+#include "fix_property_global.h"
+#include "fix_template_sphere.h"
+#include "gather.h"
+#include "modify.h"
+#include "particle_identity.h"
+#include "rodpack/motion/stability_limit.h"
+#include "style_arguments.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+using rodpack::NetworkBody;
+using rodpack::NetworkContact;
+
+namespace {
+
+std::string text_of(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4g", value);
+  return buffer;
+}
+
+}  // namespace
+
+FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, char** arg)
+    : Fix(lmp, narg, arg),
+      options_(lmp),
+      recorder_(lmp),
+      warn_(0.8),
+      error_(true),
+      warned_(0.0),
+      order_(0),
+      fraction_(0.0),
+      steps_per_collision_(0.0),
+      contacts_(0) {
+  StyleArguments arguments(lmp, narg, arg);
+  if (igroup != 0) arguments.fail("looks at all contacts: the group has to be 'all'");
+  nevery = arguments.integer("N", "a number of steps > 0", [](long n) { return n > 0; });
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "");
+    if (keyword == "warn")
+      warn_ =
+          arguments.number(keyword, "a fraction of the limit > 0", [](double f) { return f > 0; });
+    else if (keyword == "error")
+      error_ = arguments.yes_or_no(keyword);
+    else if (keyword == "planar")
+      options_.read(keyword, arguments);
+    else
+      arguments.fail("unknown keyword '" + keyword + "', expected warn, error or planar");
+  }
+  scalar_flag = vector_flag = 1;
+  size_vector = 3;
+  extscalar = extvector = 0;
+  global_freq = 1;  // those of the last check
+}
+
+int FixCheckTimestepMultisphere::setmask() { return FixConst::END_OF_STEP; }
+
+void FixCheckTimestepMultisphere::init() {
+  recorder_.check_models(std::string("fix ") + style);
+  order_ = running_order();
+}
+
+void FixCheckTimestepMultisphere::setup(int) {
+  warned_ = 0.0;
+  check();
+}
+
+void FixCheckTimestepMultisphere::end_of_step() { check(); }
+
+double FixCheckTimestepMultisphere::compute_vector(int n) {
+  if (n == 0) return fraction_;
+  return n == 1 ? steps_per_collision_ : contacts_;
+}
+
+int FixCheckTimestepMultisphere::running_order() const {
+  int order = 0;
+  for (int k = 0; k < modify->nfix; ++k) {
+    int dimension = 0;
+    const int* found = static_cast<int*>(modify->fix[k]->extract("multistep_order", dimension));
+    if (found) order = std::max(order, *found);
+  }
+  return order;
+}
+
+double FixCheckTimestepMultisphere::property(const char* name, int i, int j) const {
+  const int types = atom->ntypes;
+  Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types,
+                                       style, false);
+  return fix ? static_cast<FixPropertyGlobal*>(fix)->compute_array(i - 1, j - 1) : 0.0;
+}
+
+/// Mass of the lightest particle; before there is any, of the lightest particle template; 0 if
+/// there is none either.
+double FixCheckTimestepMultisphere::lightest_mass() const {
+  const double none = std::numeric_limits<double>::max();
+  double lightest = none;
+  // Each sphere of a body carries the body's mass.
+  for (int i = 0; i < atom->nlocal; ++i) lightest = std::min(lightest, atom->rmass[i]);
+  MPI_Allreduce(MPI_IN_PLACE, &lightest, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (lightest < none) return lightest;
+  for (int k = 0; k < modify->n_fixes_style("particletemplate"); ++k) {
+    Fix* fix = modify->find_fix_style("particletemplate", k);
+    const double mass = static_cast<FixTemplateSphere*>(fix)->massexpect();
+    if (mass > 0.0) lightest = std::min(lightest, mass);
+  }
+  return lightest < none ? lightest : 0.0;
+}
+
+/// A particle of this mass held by one contact through its centre, of the most demanding pair of
+/// atom types; also sets the steps that a collision of two such particles takes.
+FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_single_contact(
+    double mass) {
+  Limit limit = {std::numeric_limits<double>::infinity(), 0.0, 0, 0};
+  double duration = std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= atom->ntypes; ++i) {
+    for (int j = i; j <= atom->ntypes; ++j) {
+      const double kn = property("kn", i, j), eta = property("dampingRatioNormal", i, j);
+      const double timestep = rodpack::stability_limit(order_, eta) / std::sqrt(kn / mass);
+      if (timestep < limit.timestep) limit = {timestep, kn / mass, 0, 0};
+      duration = std::min(duration, M_PI * std::sqrt(0.5 * mass / (kn * (1.0 - eta * eta))));
+    }
+  }
+  steps_per_collision_ = duration / update->dt;
+  return limit;
+}
+
+/// This rank's contacts, with the particles' ids for indices. Without friction there is nothing in
+/// the plane of contact.
+std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
+    const ParticleIdentity& particles) {
+  const std::vector<rodpack::Vector> centres = particles.all_body_centres();
+  std::vector<NetworkContact> result;
+  for (const ContactRecord& record : recorder_.collect(std::string("fix ") + style)) {
+    if (!record.primary) continue;
+    const bool sticks =
+        record.kt > 0.0 && property("coefficientFriction", record.type_i, record.type_j) > 0.0;
+    const rodpack::Contact contact = particles.contact_of(record, centres);
+    if (contact.i == contact.j) continue;  // with its own periodic image
+    NetworkContact one = {};
+    one.i = contact.i;
+    one.j = contact.wall ? -1 : contact.j;
+    for (int d = 0; d < 3; ++d) {
+      one.normal[d] = record.normal[d];
+      one.arm_i[d] = contact.point[d] - contact.centre_i[d];
+      one.arm_j[d] = contact.point[d] - contact.centre_j[d];
+    }
+    one.stiffness_n = record.kn;
+    one.damping_n = record.damping_n;
+    if (sticks) {
+      one.stiffness_t = record.kt;
+      one.damping_t = record.damping_t;
+    }
+    result.push_back(one);
+  }
+  return result;
+}
+
+/// This rank's particles: bodies, and plain spheres that belong to none.
+std::vector<FixCheckTimestepMultisphere::IdentifiedBody> FixCheckTimestepMultisphere::bodies_here(
+    const ParticleIdentity& particles) const {
+  const bool planar = options_.planar();
+  std::vector<IdentifiedBody> result;
+  if (FixMultisphere* fix = particles.bodies()) {
+    Multisphere& bodies = fix->data();
+    typedef VectorContainer<double, 3> Vectors;
+    typedef VectorContainer<bool, 3> Flags;
+    Vectors& inertia = *bodies.prop().getElementProperty<Vectors>("inertia");
+    Vectors* const axes[3] = {bodies.prop().getElementProperty<Vectors>("ex_space"),
+                              bodies.prop().getElementProperty<Vectors>("ey_space"),
+                              bodies.prop().getElementProperty<Vectors>("ez_space")};
+    Flags& moves = *bodies.prop().getElementProperty<Flags>("fflag");
+    Flags& turns = *bodies.prop().getElementProperty<Flags>("tflag");
+    for (int k = 0; k < fix->n_body(); ++k) {
+      NetworkBody body = {};
+      body.mass = bodies.mass(k);
+      for (int d = 0; d < 3; ++d) {
+        const double moment = inertia(k)[d];
+        const double* const axis = (*axes[d])(k);
+        for (int a = 0; a < 3; ++a)
+          for (int b = 0; b < 3; ++b) body.moments[a][b] += moment * axis[a] * axis[b];
+        body.is_free[d] = (!planar || d < 2) && moves(k)[d];
+        body.is_free[3 + d] = (!planar || d == 2) && turns(k)[d];
+      }
+      result.push_back({bodies.tag(k), body});
+    }
+  }
+  int frozen = 0;
+  for (int k = 0; k < modify->n_fixes_style("freeze"); ++k)
+    frozen |= modify->find_fix_style("freeze", k)->groupbit;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (particles.body_of(i) >= 0) continue;
+    NetworkBody body = {};
+    body.mass = atom->rmass[i];
+    const bool is_held = atom->mask[i] & frozen;
+    for (int d = 0; d < 3; ++d) {
+      body.moments[d][d] = 0.4 * body.mass * atom->radius[i] * atom->radius[i];
+      body.is_free[d] = !is_held && (!planar || d < 2);
+      body.is_free[3 + d] = !is_held && (!planar || d == 2);
+    }
+    result.push_back({particles.id_of(i), body});
+  }
+  return result;
+}
+
+/// The limit of the particles with the contacts they have now. The whole network is looked at on
+/// rank 0, so that the result is that of one rank.
+FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_contacts() {
+  const ParticleIdentity particles(lmp);
+  std::vector<NetworkContact> contacts = gather_on_first(world, contacts_here(particles));
+  std::vector<IdentifiedBody> found = gather_on_first(world, bodies_here(particles));
+  double result[4] = {0.0, 0.0, 0.0, 0.0};
+  if (comm->me == 0) {
+    std::sort(found.begin(), found.end(),
+              [](const IdentifiedBody& a, const IdentifiedBody& b) { return a.id < b.id; });
+    std::vector<NetworkBody> bodies;
+    for (const IdentifiedBody& each : found) bodies.push_back(each.body);
+    const auto index = [&found](int id) {
+      const auto at =
+          std::lower_bound(found.begin(), found.end(), id,
+                           [](const IdentifiedBody& body, int wanted) { return body.id < wanted; });
+      return static_cast<int>(at - found.begin());
+    };
+    for (NetworkContact& contact : contacts) {
+      contact.i = index(contact.i);
+      if (contact.j >= 0) contact.j = index(contact.j);
+    }
+    try {
+      const rodpack::NetworkLimit limit = rodpack::network_limit(order_, bodies, contacts);
+      result[0] = limit.timestep;
+      result[1] = limit.stiffness;
+      result[2] = limit.stiffest < 0 ? 0 : found[limit.stiffest].id;
+      result[3] = limit.contacts;
+    } catch (const std::invalid_argument& e) {
+      error->one(FLERR, ("fix " + std::string(style) + ": " + e.what()).c_str());
+    }
+  }
+  MPI_Bcast(result, 4, MPI_DOUBLE, 0, world);
+  return {result[0], result[1], static_cast<int>(result[2]), static_cast<int>(result[3])};
+}
+
+void FixCheckTimestepMultisphere::check() {
+  const double mass = lightest_mass();
+  if (!(mass > 0.0)) return;  // nothing is known yet
+  Limit limit = limit_of_single_contact(mass);
+  if (atom->natoms > 0) {
+    const Limit present = limit_of_contacts();
+    if (present.timestep <= limit.timestep) limit = present;
+  }
+  const double none = std::numeric_limits<double>::infinity();
+  fraction_ = limit.timestep > 0.0 ? update->dt / limit.timestep : none;
+  contacts_ = limit.contacts;
+  report(limit);
+}
+
+void FixCheckTimestepMultisphere::report(const Limit& limit) {
+  const bool beyond = fraction_ > 1.0;
+  // once, and again when it has grown by a tenth
+  if (!(beyond && error_) && !(fraction_ > warn_ && fraction_ > 1.1 * warned_)) return;
+  const std::string method =
+      order_ == 0 ? "velocity Verlet" : "Adams-Bashforth of order " + std::to_string(order_);
+  const std::string particle = limit.particle == 0
+                                   ? "a single contact of the lightest particle"
+                                   : "body " + std::to_string(limit.particle) + " with its " +
+                                         std::to_string(limit.contacts) + " contacts";
+  std::string text =
+      "Fix " + std::string(style) + " (id " + id + "): time step " + text_of(update->dt) + " s is ";
+  text += limit.timestep > 0.0
+              ? text_of(fraction_) + " of the stability limit " + text_of(limit.timestep) +
+                    " s of " + method
+              : "unstable, as any is for " + method + " with undamped contacts (limit 0 s)";
+  text += ", set by " + particle + " (angular frequency " + text_of(std::sqrt(limit.stiffness)) +
+          " 1/s)";
+  if (beyond && error_) error->all(FLERR, (text + "; expected at most 1").c_str());
+  warned_ = fraction_;
+  if (comm->me == 0) error->warning(FLERR, text.c_str());
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(check/timestep/multisphere,FixCheckTimestepMultisphere)
+// clang-format on
+#else
+#ifndef RODPACK_FIX_CHECK_TIMESTEP_MULTISPHERE_H
+#define RODPACK_FIX_CHECK_TIMESTEP_MULTISPHERE_H
+
+#include <vector>
+
+#include "contact_recorder.h"
+#include "fix.h"
+#include "multistep_options.h"
+#include "rodpack/contact/contact_network.h"
+
+namespace LAMMPS_NS {
+
+/// Compares the time step with the stability limit of the integrator that runs, for the contacts
+/// that are there. Scalar, and first component of the vector: the time step over the limit; then
+/// steps per collision, contacts of the stiffest particle.
+class FixCheckTimestepMultisphere : public Fix {
+ public:
+  FixCheckTimestepMultisphere(class LAMMPS*, int, char**);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void end_of_step() override;
+  double compute_scalar() override { return fraction_; }
+  double compute_vector(int n) override;
+
+ private:
+  struct Limit {
+    double timestep;   // s
+    double stiffness;  // square of the highest frequency, 1/s^2
+    int particle;      // id of the stiffest one; 0: the single contact of the lightest one
+    int contacts;      // of the stiffest one
+  };
+  struct IdentifiedBody {
+    int id;
+    rodpack::NetworkBody body;
+  };
+
+  void check();
+  int running_order() const;
+  double property(const char* name, int i, int j) const;
+  double lightest_mass() const;
+  Limit limit_of_single_contact(double mass);
+  std::vector<rodpack::NetworkContact> contacts_here(const class ParticleIdentity& particles);
+  std::vector<IdentifiedBody> bodies_here(const class ParticleIdentity& particles) const;
+  Limit limit_of_contacts();
+  void report(const Limit& limit);
+
+  MultistepOptions options_;
+  ContactRecorder recorder_;
+  double warn_;  // fraction
+  bool error_;
+  double warned_;  // fraction of the last warning of this run
+  int order_;      // of the integrator that runs, 0: velocity Verlet
+
+  double fraction_, steps_per_collision_;
+  int contacts_;
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Bodies of planar motion, to the planar engine and back.
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "fix_multisphere_ab.h"
+#include "math_extra.h"
+#include "rodpack/planar/scene.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using rodpack::PlanarBody;
+
+/// `atoms`: its spheres. Its frame is that of space, turned by no angle yet.
+PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) {
+  if (evaluations_->get(body) == 0) require_planar(body);
+  if (!fflag_(body)[0] || !fflag_(body)[1] || !tflag_(body)[2])
+    body_error(body, "run_style verlet/planar cannot switch off components of its force or torque");
+  PlanarBody planar;
+  planar.tag = data().tag(body);
+  planar.mass = mass_(body);
+  planar.moment = moment_about_z(body);
+  planar.radius = atom->radius[atoms[0]];
+  for (int i : atoms) {
+    double arm[3];
+    MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
+    if (std::fabs(arm[2]) > 1e-9 * planar.radius)
+      body_error(body, "run_style verlet/planar needs its spheres in one plane z = const");
+    if (atom->radius[i] != planar.radius)
+      body_error(body, "run_style verlet/planar needs spheres of one radius in a body");
+    if (atom->type[i] != atom->type[atoms[0]])
+      body_error(body, "run_style verlet/planar needs spheres of one type in a body");
+    planar.spheres.push_back({arm[0], arm[1], atom->tag[i]});
+  }
+  const double *x = xcm_(body), *v = vcm_(body), *missed = (*missed_motion_)(body);
+  for (int d = 0; d < 2; ++d) {
+    planar.position[d] = x[d];
+    planar.velocity[d] = v[d];
+    planar.load[d] = fcm_(body)[d];
+    planar.missed_displacement[d] = missed[d];
+    planar.missed_velocity[d] = missed[6 + d];
+  }
+  planar.velocity[2] = omega_(body)[2];
+  planar.load[2] = torque_(body)[2];
+  planar.missed_displacement[2] = missed[5];
+  planar.missed_velocity[2] = missed[11] / planar.moment;
+  planar.evaluations = evaluations_->get(body);
+  for (int k = 1; k < order_; ++k) planar.past[k - 1] = *planar_record(body, k);
+  if (events_) read_jump(atoms, planar);
+  return planar;
+}
+
+/// The planar rates `age` steps back.
+rodpack::PlanarRates* FixMultisphereAB::planar_record(int body, int age) {
+  double* record = options_.always_planar() ? (*past_planar_[order_ - 1 - age])(body)
+                                            : (*past_spatial_[order_ - 1 - age])(body);
+  return reinterpret_cast<rodpack::PlanarRates*>(record);
+}
+
+/// What contacts will be told about the body in the next step, if its acceleration has jumped.
+void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& planar) {
+  const ContactEvents::RigidMotion* motion = events_->motion_for_next_step(atoms[0]);
+  planar.jumped = motion != NULL;
+  if (!motion) return;
+  const rodpack::PlanarSphere& arm = planar.spheres[0];
+  const auto at_centre = [&](const double* of_sphere, const double* turn, double(&result)[3]) {
+    result[0] = of_sphere[0] + turn[2] * arm.y;
+    result[1] = of_sphere[1] - turn[2] * arm.x;
+    result[2] = turn[2];
+  };
+  rodpack::PlanarMotionChange& change = planar.change;
+  at_centre(motion->acceleration, motion->angular_acceleration, change.acceleration);
+  at_centre(motion->velocity, motion->angular_velocity, change.velocity);
+  at_centre(motion->displacement, motion->rotation, change.displacement);
+  change.cosine = planar.cosine;
+  change.sine = planar.sine;
+}
+
+/// Before from_planar() is called for the bodies of this rank.
+void FixMultisphereAB::begin_planar() {
+  if (events_) events_->begin_publishing();
+}
+
+void FixMultisphereAB::from_planar(int body, const std::vector<int>& atoms,
+                                   const PlanarBody& planar) {
+  double *x = xcm_(body), *v = vcm_(body), *missed = (*missed_motion_)(body);
+  for (int d = 0; d < 2; ++d) {
+    x[d] = planar.position[d];
+    v[d] = planar.velocity[d];
+    fcm_(body)[d] = planar.load[d];
+    missed[d] = planar.missed_displacement[d];
+    missed[6 + d] = planar.missed_velocity[d];
+  }
+  omega_(body)[2] = planar.velocity[2];
+  angmom_(body)[2] = planar.moment * planar.velocity[2];
+  torque_(body)[2] = planar.load[2];
+  missed[5] = planar.missed_displacement[2];
+  missed[11] = planar.moment * planar.missed_velocity[2];
+  evaluations_->set(body, planar.evaluations);
+  if (planar.evaluations > 0) timestep_->set(body, update->dt);
+  for (int k = 1; k < order_; ++k) *planar_record(body, k) = planar.past[k - 1];
+
+  double q[4];
+  std::copy(quat_(body), quat_(body) + 4, q);
+  rodpack::rotate_about_z(std::atan2(planar.sine, planar.cosine), q);
+  std::copy(q, q + 4, quat_(body));
+  set_axes_planar(body);
+  if (events_ && planar.jumped) publish_jump(body, atoms, planar);
+}
+
+void FixMultisphereAB::publish_jump(int body, const std::vector<int>& atoms,
+                                    const PlanarBody& planar) {
+  const rodpack::PlanarMotionChange& change = planar.change;
+  for (int i : atoms) {
+    double arm[3];
+    MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
+    ContactEvents::RigidMotion motion = {};
+    const auto at_sphere = [&](const double(&centre)[3], double* of_sphere, double* turn) {
+      of_sphere[0] = centre[0] - centre[2] * arm[1];
+      of_sphere[1] = centre[1] + centre[2] * arm[0];
+      turn[2] = centre[2];
+    };
+    at_sphere(change.acceleration, motion.acceleration, motion.angular_acceleration);
+    at_sphere(change.velocity, motion.velocity, motion.angular_velocity);
+    at_sphere(change.displacement, motion.displacement, motion.rotation);
+    events_->publish(i, motion);
+  }
+}
+
+/// Positions and velocities of the spheres from those of the bodies, and what was published.
+void FixMultisphereAB::finish_planar() {
+  evflag = 0;
+  set_xv();
+  rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
+  reverse_comm();
+  if (events_) events_->end_publishing();
+}
+
+void FixMultisphereAB::keep_loads() {
+  for (int body = 0; body < n_body(); ++body) {
+    const double load[3] = {fcm_(body)[0], fcm_(body)[1], torque_(body)[2]};
+    std::copy(load, load + 3, (*planar_load_)(body));
+  }
+}
+
+/// After bodies, atoms and ghosts were made anew.
+void FixMultisphereAB::restore_loads() {
+  for (int body = 0; body < n_body(); ++body) {
+    const double* load = (*planar_load_)(body);
+    std::copy(load, load + 2, fcm_(body));
+    torque_(body)[2] = load[2];
+  }
+  if (events_) events_->renew_ghosts();
+}

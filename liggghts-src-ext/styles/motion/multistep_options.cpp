@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "multistep_options.h"
+
+#include "domain.h"
+#include "modify.h"
+#include "rodpack/motion/multistep.h"
+#include "style_arguments.h"
+
+using namespace LAMMPS_NS;
+
+static_assert(rodpack::max_multistep_order == 4, "range of orders in messages and documentation");
+
+bool MultistepOptions::read(const std::string& keyword, StyleArguments& arguments) {
+  if (keyword == "order") {
+    order_ = arguments.integer(keyword, "an integer from 1 to 4", [](long order) {
+      return order >= 1 && order <= rodpack::max_multistep_order;
+    });
+  } else if (keyword == "planar") {
+    const std::string expected = "auto, yes or no";
+    planar_ = arguments.word(keyword, expected);
+    if (planar_ != "auto" && planar_ != "yes" && planar_ != "no")
+      arguments.reject(keyword, expected, planar_);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool MultistepOptions::planar() const {
+  if (planar_ != "auto") return planar_ == "yes";
+  return domain->dimension == 2 || modify->n_fixes_style("enforce2d") > 0;
+}

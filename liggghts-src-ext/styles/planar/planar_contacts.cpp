@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "planar_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atom.h"
+#include "comm.h"
+#include "contact_model_constants.h"
+#include "error.h"
+#include "fix_contact_history.h"
+#include "fix_property_atom.h"
+#include "fix_property_global.h"
+#include "fix_wall_gran.h"
+#include "fix_wall_gran_solid.h"
+#include "force.h"
+#include "modify.h"
+#include "mpi_ranks.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "pair_gran.h"
+#include "primitive_wall.h"
+#include "rodpack/contact/normal_history.h"
+#include "rodpack/contact/tangential_history.h"
+#include "update.h"
+
+namespace LAMMPS_NS {
+
+using rodpack::NormalHistory;
+using rodpack::PlanarContactState;
+using rodpack::TangentialHistory;
+
+namespace {
+
+constexpr int normal_values = sizeof(NormalHistory) / sizeof(double);
+
+struct WallAccess : FixWallGran {
+  static double** histories(FixWallGran* wall) {
+    return (wall->*(&WallAccess::fix_history_primitive_))->array_atom;
+  }
+};
+
+/// Histories by atom, where they are while lists are made anew.
+struct HistoryAccess : FixContactHistory {
+  static void reset(FixContactHistory* fix) {
+    (fix->*(&HistoryAccess::ipage_))->reset();
+    (fix->*(&HistoryAccess::dpage_))->reset();
+  }
+  static int*& partners(FixContactHistory* fix, int i) {
+    return (fix->*(&HistoryAccess::partner_))[i];
+  }
+  static int& count(FixContactHistory* fix, int i) {
+    return (fix->*(&HistoryAccess::npartner_))[i];
+  }
+  /// Room for `count` partners of atom i, which has none then; false if there is none.
+  static bool allocate(FixContactHistory* fix, int i, int count) {
+    int*& tags = partners(fix, i);
+    double*& values = (fix->*(&HistoryAccess::contacthistory_))[i];
+    tags = (fix->*(&HistoryAccess::ipage_))->get(count);
+    values = (fix->*(&HistoryAccess::dpage_))->get(count * fix->get_dnum());
+    HistoryAccess::count(fix, i) = 0;
+    int& most = fix->*(&HistoryAccess::maxtouch_);
+    most = std::max(most, count);
+    return tags && values;
+  }
+};
+
+template <class Style>
+bool has_known_models(Style* style) {
+  return style->contact_match("normal", "spring_dashpot") &&
+         style->contact_match("tangential", "spring_dashpot") &&
+         style->contact_match("surface", "default") && style->contact_match("cohesion", "off") &&
+         style->contact_match("rolling_friction", "off");
+}
+
+const char* const needed_models =
+    "'model spring_dashpot tangential spring_dashpot' alone, without other models";
+
+/// A plane x = c or y = c; false for any other primitive.
+bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
+  if (const FixWallGranSolid* solid = dynamic_cast<FixWallGranSolid*>(fix)) {
+    plane.axis = solid->axis();
+    plane.position = solid->position();
+    plane.free_side = solid->free_side();
+    return plane.axis < 2;
+  }
+  PrimitiveWall& wall = *fix->primitiveWall();
+  double origin[3] = {0.0, 0.0, 0.0}, other[3] = {1.1, 2.3, 4.7};
+  double from[3] = {}, to[3] = {};
+  wall.resolveContact(origin, 0.0, from);
+  wall.resolveContact(other, 0.0, to);
+  for (int axis = 0; axis < 2; ++axis) {
+    double off = std::fabs(from[axis] - (other[axis] + to[axis]));
+    for (int d = 0; d < 3; ++d)
+      if (d != axis) off += std::fabs(from[d]) + std::fabs(to[d]);
+    if (off > 1e-12) continue;
+    plane.axis = axis;
+    plane.position = from[axis];
+    return true;
+  }
+  return false;
+}
+
+/// History of one contact, as the models of LIGGGHTS keep it, along the tangent z x n.
+struct Frame {
+  double tangent[2];
+  Frame(double nx, double ny) : tangent{-ny, nx} {}
+  double along(const double* vector) const {
+    return vector[0] * tangent[0] + vector[1] * tangent[1];
+  }
+  void set(double component, double* vector) const {
+    vector[0] = component * tangent[0];
+    vector[1] = component * tangent[1];
+    vector[2] = 0.0;
+  }
+};
+
+}  // namespace
+
+void PlanarContacts::refuse(const std::string& what) const {
+  error->all(FLERR, ("run_style verlet/planar: " + what).c_str());
+}
+
+void PlanarContacts::connect() {
+  pair_ = static_cast<PairGran*>(force->pair_match("gran", 1));
+  if (!pair_ || pair_ != force->pair)
+    refuse(std::string("pair_style gran is needed, not in a hybrid, with ") + needed_models);
+  if (!has_known_models(pair_))
+    refuse(std::string("pair_style gran has other models, expected ") + needed_models);
+  values_ = pair_->dnum();
+  slots_ = (values_ - normal_values - TangentialHistory::size(0)) / 3;
+  if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
+      values_ != normal_values + TangentialHistory::size(slots_))
+    refuse("pair_style gran keeps other values in the history of contacts");
+  walls_.clear();
+  for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
+    FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
+    const std::string name = std::string("fix ") + wall->style + " (id " + wall->id + ") ";
+    if (!has_known_models(wall)) refuse(name + "has other models, expected " + needed_models);
+    rodpack::PlanarWall plane;
+    if (wall->is_mesh_wall() || !wall->primitiveWall() || !plane_of(wall, plane))
+      refuse(name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
+    if (wall->is_moving()) refuse(name + "moves ('shear'), expected a wall at rest");
+    if (wall->igroup != 0) refuse(name + "acts on a group, expected all");
+    if (wall->heattransfer_flag() || wall->store_force_contact() ||
+        wall->store_force_contact_stress() || wall->store_sum_normal_force())
+      refuse(name + "stores values of contacts or transfers heat, which the engine does not");
+    if (wall->dnum() != values_)
+      refuse(name + "has another history than pair_style gran: give both the same multistepOrder");
+    walls_.push_back(wall);
+  }
+}
+
+std::vector<rodpack::PlanarLaw> PlanarContacts::laws() const {
+  const int types = atom->ntypes;
+  const char* const names[] = {"kn", "kt", "dampingRatioNormal", "dampingRatioTangential",
+                               "coefficientFriction"};
+  std::vector<rodpack::PlanarLaw> laws(types * types);
+  for (int k = 0; k < 5; ++k) {
+    FixPropertyGlobal* property = static_cast<FixPropertyGlobal*>(modify->find_fix_property(
+        names[k], "property/global", "peratomtypepair", types, types, "run_style verlet/planar"));
+    for (int pair = 0; pair < types * types; ++pair) {
+      rodpack::PlanarLaw& law = laws[pair];
+      double* const values[] = {&law.kn, &law.kt, &law.eta_n, &law.eta_t, &law.friction};
+      *values[k] = property->compute_array(pair / types, pair % types);
+    }
+  }
+  return laws;
+}
+
+std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
+  std::vector<rodpack::PlanarWall> planes;
+  for (FixWallGran* wall : walls_) {
+    rodpack::PlanarWall plane;
+    plane_of(wall, plane);
+    plane.type = wall->atom_type_wall() - 1;
+    planes.push_back(plane);
+  }
+  return planes;
+}
+
+/// What LIGGGHTS keeps of a contact.
+struct PlanarContacts::Record {
+  NormalHistory& normal;
+  TangentialHistory tangential;
+  Record(double* values, int slots)
+      : normal(*reinterpret_cast<NormalHistory*>(values)),
+        tangential{values + normal_values, slots} {}
+
+  bool lives(double now) const { return tangential.count() != 0.0 && tangential.step() == now; }
+  void read(const Frame& frame, PlanarContactState& contact) const {
+    contact.spring = frame.along(tangential.spring());
+    for (int k = 0; k < rodpack::max_multistep_order; ++k)
+      contact.velocity[k] = k < tangential.slots ? frame.along(tangential.velocity(k)) : 0.0;
+    contact.count = static_cast<int>(tangential.count());
+    contact.since = tangential.since();
+    contact.uncut = normal.uncut;
+    contact.touch_rate = normal.touch_rate;
+    contact.fresh = normal.fresh != 0.0;
+  }
+  void write(const PlanarContactState& contact, const Frame& frame, double now) const {
+    frame.set(contact.spring, tangential.spring());
+    for (int k = 0; k < tangential.slots; ++k)
+      frame.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
+                tangential.velocity(k));
+    tangential.count() = contact.count;
+    tangential.step() = now;
+    tangential.since() = contact.since;
+    std::copy(contact.constants, contact.constants + 3, tangential.constants());
+    normal.uncut = contact.uncut;
+    normal.touch_rate = contact.touch_rate;
+    normal.fresh = contact.fresh ? 1.0 : 0.0;
+    normal.step = now + 1.0;
+  }
+};
+
+std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners) const {
+  const double now = static_cast<double>(update->ntimestep);
+  std::vector<std::vector<PlanarContactRecord> > contacts(comm->nprocs);
+  const auto send = [&](const PlanarContactRecord& contact, int atom_index) {
+    contacts[owners.of_body(atom_index)].push_back(contact);
+  };
+  double** const x = atom->x;
+  NeighList* const list = pair_->list;
+  for (int ii = 0; ii < list->inum; ++ii) {
+    const int i = list->ilist[ii];
+    double* histories = list->listgranhistory->firstdouble[i];
+    for (int jj = 0; jj < list->numneigh[i]; ++jj) {
+      if (!list->listgranhistory->firstneigh[i][jj]) continue;
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      // the rank of j has this contact too, to rounding errors; one of both has to do
+      if (j >= atom->nlocal && atom->tag[j] < atom->tag[i]) continue;
+      const Record record(histories + values_ * jj, slots_);
+      if (!record.lives(now)) continue;
+      PlanarContactRecord contact = PlanarContactRecord();
+      contact.atom = atom->tag[i];
+      contact.partner = atom->tag[j];
+      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
+      record.read(Frame(dx / r, dy / r), contact.state);
+      send(contact, i);
+      if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
+    }
+  }
+  const std::vector<rodpack::PlanarWall> planes = walls();
+  for (size_t w = 0; w < walls_.size(); ++w)
+    for (int i = 0; i < atom->nlocal; ++i) {
+      const Record record(WallAccess::histories(walls_[w])[i], slots_);
+      if (!record.lives(now)) continue;
+      PlanarContactRecord contact = PlanarContactRecord();
+      contact.atom = atom->tag[i];
+      contact.partner = -1 - static_cast<int>(w);
+      const int axis = planes[w].axis;
+      const double side = planes[w].side_of(x[i][axis] - planes[w].position);
+      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
+      send(contact, i);
+    }
+  return exchange_records(world, std::move(contacts));
+}
+
+int PlanarContacts::local_atom(int tag) const {
+  const int i = atom->map(tag);
+  if (i < 0 || i >= atom->nlocal || atom->tag[i] != tag)
+    error->one(FLERR, ("run_style verlet/planar: a contact of atom " + std::to_string(tag) +
+                       " has come to another rank than the atom")
+                          .c_str());
+  return i;
+}
+
+void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& records) const {
+  const double now = static_cast<double>(update->ntimestep);
+  for (FixWallGran* wall : walls_)
+    for (int i = 0; i < atom->nlocal; ++i)
+      std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
+  for (const PlanarContactRecord& contact : records)
+    if (contact.partner < 0)
+      Record(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)], slots_)
+          .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+}
+
+void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
+  using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
+  using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
+  const double now = static_cast<double>(update->ntimestep);
+  write_to_walls(records);
+  NeighList* const list = pair_->list;
+  for (int ii = 0; ii < list->inum; ++ii) {
+    const int i = list->ilist[ii];
+    int* const flags = list->listgranhistory->firstneigh[i];
+    double* const histories = list->listgranhistory->firstdouble[i];
+    for (int jj = 0; jj < list->numneigh[i]; ++jj) {
+      if (!flags[jj]) continue;
+      flags[jj] = 0;
+      std::fill_n(histories + values_ * jj, values_, 0.0);
+    }
+  }
+  // A pair is in the list of one of its atoms here; if both are, in that of either.
+  int missing = 0;
+  for (const PlanarContactRecord& contact : records) {
+    if (contact.partner < 0) continue;
+    const int i = local_atom(contact.atom), j = atom->map(contact.partner);
+    const int* const neighbours = list->firstneigh[i];
+    int jj = 0;
+    while (jj < list->numneigh[i] && (neighbours[jj] & NEIGHMASK) != j) ++jj;
+    const bool is_there = jj < list->numneigh[i];
+    missing += (is_there ? -1 : 1) * (j >= 0 && j < atom->nlocal ? 1 : is_there ? 0 : 2);
+    if (!is_there) continue;
+    list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
+    Record(list->listgranhistory->firstdouble[i] + values_ * jj, slots_)
+        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+  }
+  if (missing != 0)
+    error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
+}
+
+void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
+  const double now = static_cast<double>(update->ntimestep);
+  write_to_walls(records);
+  FixContactHistory* const histories = pair_->list->fix_history;
+  std::vector<int> counts(atom->nlocal, 0);
+  for (const PlanarContactRecord& contact : records)
+    if (contact.partner >= 0) ++counts[local_atom(contact.atom)];
+  HistoryAccess::reset(histories);
+  int most = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    most = std::max(most, counts[i]);
+    if (!HistoryAccess::allocate(histories, i, counts[i]))
+      error->one(FLERR,
+                 "run_style verlet/planar: contact history overflow, boost neigh_modify one");
+  }
+  // what an atom takes along when it changes its rank
+  comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);
+  for (const PlanarContactRecord& contact : records) {
+    if (contact.partner < 0) continue;
+    const int i = local_atom(contact.atom), place = HistoryAccess::count(histories, i)++;
+    HistoryAccess::partners(histories, i)[place] = contact.partner;
+    double* const values = histories->contacthistory(i, place);
+    std::fill_n(values, values_, 0.0);
+    Record(values, slots_).write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+  }
+}
+
+}  // namespace LAMMPS_NS

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef INTEGRATE_CLASS
+
+// clang-format off
+IntegrateStyle(verlet/planar,RunPlanar)
+// clang-format on
+
+#else
+
+#ifndef LMP_RUN_PLANAR_H
+#define LMP_RUN_PLANAR_H
+
+#include <memory>
+#include <string>
+#include <vector>
+#include "mpi_ranks.h"
+#include "planar_contacts.h"
+#include "planar_owners.h"
+#include "rodpack/planar/instructions.h"
+#include "verlet.h"
+
+namespace LAMMPS_NS {
+
+/// Runs a planar scene of rigid bodies in an engine of its own (rodpack/planar_scene.h) wherever
+/// nobody looks: between two steps of output, insertion or a fix that acts at the end of a step,
+/// the bodies and contacts are taken from LIGGGHTS and given back in the step before. The step that
+/// somebody sees is LIGGGHTS's own, with everything that belongs to it. Each rank runs the bodies
+/// that fix multisphere has there.
+class RunPlanar : public Verlet {
+ public:
+  RunPlanar(class LAMMPS* lmp, int narg, char** arg);
+  ~RunPlanar();
+
+  void setup() override;
+  void setup_minimal(int) override;
+  void run(int steps) override;
+
+ private:
+  void refuse(const std::string& what) const;
+  void refuse_one(const std::string& what) const;
+  void check();
+  void check_scene();
+  void check_fixes() const;
+  void find_bodies();
+  bigint next_look() const;
+  bool anywhere(bool here) const;
+  void run_until(bigint last);
+  void report(bigint steps) const;
+  void run_engine(bigint steps);
+  rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
+  std::vector<rodpack::PlanarBody> take_bodies();
+  std::vector<rodpack::PlanarContactState> take_contacts();
+  void take_over();
+  std::vector<PlanarContactRecord> contacts_of_atoms() const;
+  void exchange_and_list();
+  void give_back();
+
+  void read_options(int narg, char** arg);
+
+  double min_skin_, max_skin_;  // m; 0: from the particles
+  rodpack::PlanarInstructions instructions_ = rodpack::PlanarInstructions::automatic;
+  class FixMultisphereAB* bodies_ = NULL;
+  class FixGravity* gravity_ = NULL;
+  PlanarContacts contacts_;
+  PlanarOwners owners_;
+  std::vector<int> order_;                // bodies of this rank in the order of the scene
+  std::vector<std::vector<int> > atoms_;  // of each of them by their tags, ghosts among them
+  std::unique_ptr<MpiRanks> ranks_;
+  std::unique_ptr<rodpack::PlanarScene> scene_;
+  rodpack::PlanarScene::Statistics done_;  // in this run, by this rank
+};
+
+}  // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "rodpack/contact/friction_step.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace rodpack;
+
+namespace {
+
+// stiffness 100 N/m, damping 2 kg/s, cap 1 N at the end of a step of 1 ms and growing by 50 N/s
+FrictionStep contact() {
+  FrictionStep step = {};
+  step.stiffness = 100;
+  step.damping = 2;
+  step.cap = 1;
+  step.cap_rate = 50;
+  step.dt = 1e-3;
+  step.known = 3;
+  return step;
+}
+
+void set_velocities(FrictionStep& step, double now, double before, double earlier) {
+  step.velocity[0][0] = now;
+  step.velocity[1][0] = before;
+  step.velocity[2][0] = earlier;
+}
+
+}  // namespace
+
+TEST(FrictionStep, SticksBelowTheCap) {
+  FrictionStep step = contact();
+  set_velocities(step, 0.01, 0.01, 0.01);
+  double spring[3] = {5e-3, 0, 0};
+  const FrictionForce f = friction_force(step, spring);
+  EXPECT_FALSE(f.slides);
+  EXPECT_FALSE(f.changed);
+  EXPECT_DOUBLE_EQ(f.force[0], -(100 * 5e-3 + 2 * 0.01));
+  EXPECT_DOUBLE_EQ(spring[0], 5e-3);
+}
+
+// While the surface still moves against the force, it goes on sliding, even where spring and
+// dashpot would fit under the cap that has grown meanwhile.
+TEST(FrictionStep, SlidesUntilTheVelocityVanishes) {
+  FrictionStep step = contact();
+  step.slid = true;
+  step.spring_before[0] = 9.5e-3;  // carried the cap of 0.95 N one step ago
+  set_velocities(step, 0.01, 0.02, 0.03);
+  double spring[3] = {9.515e-3, 0, 0};  // |force| would be 0.9715 N
+  const FrictionForce f = friction_force(step, spring);
+  EXPECT_TRUE(f.slides);
+  EXPECT_FALSE(f.changed);
+  EXPECT_DOUBLE_EQ(f.force[0], -1);
+  EXPECT_DOUBLE_EQ(spring[0], 1e-2);
+}
+
+// v(t) = -10 t + 2000 t^2, t in s before and after standstill at t = 0; the step ends at 0.4 ms.
+// The spring is what carried the cap at standstill, 1 - 50 * 0.4e-3 = 0.98 N, and the way since,
+// int v dt = -8e-7 m to leading order.
+TEST(FrictionStep, SticksFromTheMomentOfStandstill) {
+  FrictionStep step = contact();
+  step.slid = true;
+  step.spring_before[0] = 9.5e-3;
+  const auto v = [](double t) { return -10 * t + 2000 * t * t; };
+  set_velocities(step, v(0.4e-3), v(-0.6e-3), v(-1.6e-3));
+  double spring[3] = {9.51e-3, 0, 0};
+  const FrictionForce f = friction_force(step, spring);
+  EXPECT_FALSE(f.slides);
+  EXPECT_TRUE(f.changed);
+  EXPECT_FALSE(f.jumps);
+  EXPECT_NEAR(f.since, 0.4e-3, 1e-12);
+  EXPECT_NEAR(spring[0], 0.98 / 100 - 8e-7, 3e-7);
+  EXPECT_NEAR(f.force[0], -(100 * spring[0] + 2 * v(0.4e-3)), 1e-15);
+  EXPECT_NEAR(f.gain[0], f.force[0] + 1, 1e-15);  // the slide would go on with -1 N
+  // -(k v + c dv/dt), and the cap's -50 N/s no more
+  EXPECT_NEAR(f.gain_rate[0], -100 * v(0.4e-3) - 2 * (v(0.4e-3) - v(-0.6e-3)) / 1e-3 + 50, 1e-9);
+}
+
+// The force grows from 0.90 N under a cap of 0.95 N to 1.04 N, beyond the cap of 1 N: it crossed
+// where the excess, from -0.05 N to 0.04 N, was 0.
+TEST(FrictionStep, FindsTheMomentAtWhichTheCapIsReached) {
+  FrictionStep step = contact();
+  step.spring_before[0] = 8e-3;
+  set_velocities(step, 0.06, 0.05, 0.04);
+  double spring[3] = {9.2e-3, 0, 0};
+  const FrictionForce f = friction_force(step, spring);
+  EXPECT_TRUE(f.slides);
+  EXPECT_TRUE(f.changed);
+  EXPECT_NEAR(f.since, 1e-3 * 0.04 / 0.09, 1e-15);
+  EXPECT_NEAR(f.force[0], -1, 1e-15);
+  EXPECT_NEAR(f.gain[0], 0.04, 1e-15);
+  EXPECT_NEAR(f.gain_rate[0], 0.09 / 1e-3, 1e-9);  // from nothing at the change
+}
+
+// A cap that falls below the force while the spring moves the surfaces (velocity along the force):
+// the spring is cut to what carries the cap, and the dashpot then lowers the force at once.
+TEST(FrictionStep, LosesTheExcessOfTheSpringWhereTheCapFalls) {
+  FrictionStep step = contact();
+  step.cap_rate = -60;  // 1.06 N one step ago
+  step.spring_before[0] = 11.5e-3;
+  set_velocities(step, -0.05, -0.05, -0.05);
+  double spring[3] = {11.45e-3, 0, 0};  // 1.045 N
+  const FrictionForce f = friction_force(step, spring);
+  EXPECT_FALSE(f.slides);
+  EXPECT_TRUE(f.changed);
+  EXPECT_TRUE(f.jumps);
+  // excess before: 1.05 - 1.06, now 1.045 - 1
+  const double since = 1e-3 * 0.045 / (0.045 + 0.01);
+  EXPECT_NEAR(f.since, since, 1e-12);
+  EXPECT_NEAR(spring[0], (1 + 60 * since) / 100 - 0.05 * since, 1e-12);
+  EXPECT_NEAR(f.force[0], -(100 * spring[0] - 2 * 0.05), 1e-12);
+}
+
+// In space the surface may move across the force when it stands along it: the dashpot of that
+// motion acts at once, whenever the change was, and its rate has to stay bounded.
+TEST(FrictionStep, AVelocityAcrossTheForceMakesItJump) {
+  for (const double now : {5e-3, 1e-4, 1e-6, 1e-8}) {
+    FrictionStep step = contact();
+    step.slid = true;
+    step.spring_before[0] = 9.5e-3;
+    set_velocities(step, -now, 0.01 - now, 0.02 - now);
+    for (auto& velocity : step.velocity) velocity[1] = 0.05;
+    double spring[3] = {9.5e-3, 0, 0};
+    const FrictionForce f = friction_force(step, spring);
+    EXPECT_TRUE(f.changed && f.jumps && !f.slides);
+    EXPECT_NEAR(f.since, 1e-3 * now / 0.01, 1e-9);
+    // the cap leaves sqrt(1 - 0.1^2) of it
+    EXPECT_NEAR(f.gain[1] / (-2 * 0.05 - 100 * 0.05 * f.since), 1, 0.01);
+    EXPECT_NEAR(f.gain_rate[1], -100 * 0.05, 1e-9);
+  }
+}
+
+// Whatever the law does, the force stays under the cap.
+TEST(FrictionStep, ForceNeverExceedsTheCap) {
+  for (const bool slid : {false, true})
+    for (const double v : {-0.4, -0.05, 0.0, 0.05, 0.4})
+      for (const double s : {-3e-2, -5e-3, 0.0, 5e-3, 3e-2})
+        for (const double cap : {0.0, 0.3, 1.0}) {
+          FrictionStep step = contact();
+          step.slid = slid;
+          step.cap = cap;
+          step.spring_before[0] = s;
+          set_velocities(step, v, -v, v);
+          double spring[3] = {s + 1e-3 * v, 0, 0};
+          EXPECT_LE(std::fabs(friction_force(step, spring).force[0]), cap * (1 + 1e-14));
+        }
+}
