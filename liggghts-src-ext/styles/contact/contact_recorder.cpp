@@ -2,13 +2,13 @@
 #include "contact_recorder.h"
 
 #include "atom.h"
-#include "error.h"
 #include "fix_property_atom.h"
 #include "fix_wall_gran.h"
 #include "force.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "pair_gran.h"
+#include "stop_run.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
@@ -61,13 +61,13 @@ void ContactRecorder::check_models(const std::string& caller) const {
   const char* needs =
       " lists contacts of 'model spring_dashpot' with 'tangential spring_dashpot' or none; ";
   Pair* pair = force->pair_match("gran", 0);
-  if (!pair) error->all(FLERR, (caller + needs + "there is no pair_style gran").c_str());
+  if (!pair) stop_run(lmp, caller + needs + "there is no pair_style gran");
   if (!reports(static_cast<PairGran*>(pair)))
-    error->all(FLERR, (caller + needs + "pair_style gran has another").c_str());
+    stop_run(lmp, caller + needs + "pair_style gran has another");
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
     if (!reports(wall))
-      error->all(FLERR, (caller + needs + "fix wall/gran " + wall->id + " has another").c_str());
+      stop_run(lmp, caller + needs + "fix wall/gran " + wall->id + " has another");
   }
 }
 
@@ -80,8 +80,7 @@ const std::vector<ContactRecord>& ContactRecorder::collect(const std::string& ca
   const int stale = !pair->list || pair->list->inum != atom->nlocal || !pair->computeflag();
   int any_stale = 0;
   MPI_Allreduce(&stale, &any_stale, 1, MPI_INT, MPI_MAX, world);
-  if (any_stale)
-    error->all(FLERR, (caller + ": contacts are not known here, put a 'run 0' before").c_str());
+  if (any_stale) stop_run(lmp, caller + ": contacts are not known here, put a 'run 0' before");
 
   armed_ = this;
   PairAccess::evaluate(pair);

@@ -32,7 +32,6 @@ class FixWallGranSolid : public FixWallGran {
  private:
   struct Arguments;
   FixWallGranSolid(class LAMMPS* lmp, Arguments given);
-  [[noreturn]] void fail(const std::string& message) const;
   double depth(int i) const { return free_side_ * (position_ - x_[i][axis_]) + radius_[i]; }
   void refuse_what_it_cannot() const;
 

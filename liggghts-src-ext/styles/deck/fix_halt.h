@@ -27,8 +27,9 @@ class FixHalt : public Fix {
   double compute_scalar() { return halted_ ? 1.0 : 0.0; }
 
  private:
+  // as the words that the command knows, one after the other
   enum Operator { LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL };
-  void parse_operator(const char* text);
+  void read_keywords(class StyleArguments& arguments);
   bool holds(double left) const;
 
   std::string variable_;

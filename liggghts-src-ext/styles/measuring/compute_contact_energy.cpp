@@ -2,17 +2,16 @@
 #include "compute_contact_energy.h"
 
 #include <mpi.h>
-#include "error.h"
+#include "style_arguments.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
 
 ComputeContactEnergy::ComputeContactEnergy(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : Compute(lmp, iarg, narg, arg), recorder_(lmp) {
-  if (narg > iarg)
-    error->compute_error(FLERR, this, (std::string("unknown keyword ") + arg[iarg]).c_str());
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "counts all contacts: the group has to be 'all'");
+  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  arguments.require_end();
+  arguments.require_group_all("counts all contacts");
   scalar_flag = vector_flag = 1;
   extscalar = extvector = 1;
   size_vector = 2;

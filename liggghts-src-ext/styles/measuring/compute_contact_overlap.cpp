@@ -5,25 +5,21 @@
 #include <algorithm>
 #include <set>
 #include <utility>
-#include "error.h"
-#include "force.h"
 #include "gather.h"
 #include "particle_identity.h"
+#include "style_arguments.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
 
 ComputeContactOverlap::ComputeContactOverlap(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : Compute(lmp, iarg, narg, arg), recorder_(lmp) {
-  if (narg != iarg + 1)
-    error->compute_error(FLERR, this, "expected one argument, the largest overlap allowed (m)");
-  limit_ = force->numeric(FLERR, arg[iarg]);
-  if (!(limit_ > 0.0))
-    error->compute_error(
-        FLERR, this, (std::string("overlap is ") + arg[iarg] + ", expected a length > 0").c_str());
+  StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  if (arguments.left() != 1)
+    arguments.fail("expected one argument, the largest overlap allowed (m)");
+  limit_ = arguments.number("overlap", "a length > 0", StyleArguments::positive);
   ++iarg;
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "counts all contacts: the group has to be 'all'");
+  arguments.require_group_all("counts all contacts");
   scalar_flag = vector_flag = 1;
   extscalar = extvector = 0;
   size_vector = 3;

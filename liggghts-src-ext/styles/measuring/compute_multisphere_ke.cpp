@@ -4,9 +4,9 @@
 #include <mpi.h>
 #include <string>
 #include "atom.h"
-#include "error.h"
 #include "fix_multisphere.h"
 #include "particle_identity.h"
+#include "style_arguments.h"
 #include "update.h"
 #include "vector_liggghts.h"
 
@@ -14,11 +14,10 @@ namespace LAMMPS_NS {
 
 ComputeMultisphereKe::ComputeMultisphereKe(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : Compute(lmp, iarg, narg, arg) {
-  if (narg > iarg)
-    error->compute_error(FLERR, this, (std::string("unknown keyword ") + arg[iarg]).c_str());
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "counts whole bodies: the group has to be 'all'");
-  if (!atom->sphere_flag) error->compute_error(FLERR, this, "requires atom style sphere");
+  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  arguments.require_end();
+  arguments.require_group_all("counts whole bodies");
+  if (!atom->sphere_flag) arguments.fail("requires atom style sphere");
   scalar_flag = vector_flag = 1;
   extscalar = extvector = 1;
   size_vector = 2;

@@ -7,12 +7,12 @@
 #include <string>
 #include "atom.h"
 #include "body_chains.h"
-#include "error.h"
 #include "fix_multisphere.h"
 #include "gather.h"
 #include "math_const.h"
 #include "memory.h"
 #include "particle_identity.h"
+#include "stop_run.h"
 #include "update.h"
 #include "vector_liggghts.h"
 
@@ -24,14 +24,9 @@ ComputeStressGoldhirsch::ComputeStressGoldhirsch(LAMMPS* lmp, int& iarg, int nar
       averages_(options_.start()),
       recorder_(lmp) {
   iarg = narg;
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "averages all particles: the group has to be 'all'");
-  if (!atom->sphere_flag) error->compute_error(FLERR, this, "requires atom style sphere");
   if (averages_.sums().size() > INT_MAX)
-    error->compute_error(
-        FLERR, this,
-        (std::to_string(averages_.places()) + " places are too many to be added up over ranks")
-            .c_str());
+    stop_run(lmp, *this,
+             std::to_string(averages_.places()) + " places are too many to be added up over ranks");
   fields_ = averages_.fields();
   array_flag = 1;
   extarray = 0;

@@ -12,7 +12,6 @@
 #include "comm.h"
 #include "container.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_gravity.h"
 #include "fix_multisphere.h"
 #include "fix_template_multisphere.h"
@@ -20,8 +19,9 @@
 #include "irregular.h"
 #include "modify.h"
 #include "particleToInsert.h"
+#include "prime_seed.h"
 #include "random_park.h"
-#include "style_arguments.h"
+#include "stop_run.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -65,10 +65,10 @@ void FixInsertLine::init() {
       const std::string message = std::string("template ") + source.particles->id +
                                   " needs exactly one fix multisphere, got '" +
                                   std::to_string(bodies) + "'";
-      error->fix_error(FLERR, this, message.c_str());
+      stop_run(lmp, *this, message);
     }
   if (options_.fall > 0 && options_.gravity == 0 && !modify->find_fix_style("gravity", 0))
-    error->fix_error(FLERR, this, "fall needs a fix gravity or keyword gravity");
+    stop_run(lmp, *this, "fall needs a fix gravity or keyword gravity");
 }
 
 // Not in init(), where a fix gravity defined later does not know its direction yet.
@@ -83,7 +83,7 @@ void FixInsertLine::setup(int) {
     time_step_ = update->dt;
   }
   if (line_interval() < time_step_)
-    error->fix_error(FLERR, this, "the time between two lines must be at least one time step");
+    stop_run(lmp, *this, "the time between two lines must be at least one time step");
   next_reneighbor = inserted_ < options_.total ? std::max(now + 1, line_step(lines_)) : -1;
 }
 
@@ -95,8 +95,7 @@ double FixInsertLine::line_interval() const {
     static_cast<FixGravity*>(modify->find_fix_style("gravity", 0))->get_gravity(gravity);
     downward = -gravity[1];
   }
-  if (!(downward > 0))
-    error->fix_error(FLERR, const_cast<FixInsertLine*>(this), "fall needs gravity along -y");
+  if (!(downward > 0)) stop_run(lmp, *this, "fall needs gravity along -y");
   return std::sqrt(2. * options_.fall / downward);
 }
 
@@ -248,8 +247,7 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
   }
   for (const Sphere& sphere : spheres)
     near.visit(sphere.x[0], sphere.radius, [&](const Sphere& other) {
-      if (&other > &sphere && other.place != sphere.place)
-        look(sphere, other.x, other.radius, 0);
+      if (&other > &sphere && other.place != sphere.place) look(sphere, other.x, other.radius, 0);
     });
 
   MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
@@ -262,7 +260,7 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
                 "more time or height pass between lines, or put fewer particles on them",
                 lines_ + 1, static_cast<long>(update->ntimestep), line[found[0]].x, options_.y,
                 other.c_str(), all.depth);
-  error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
+  stop_run(lmp, *this, text);
 }
 
 void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sphere>& spheres) {
@@ -335,7 +333,7 @@ void FixInsertLine::restart(char* buffer) {
         "restart file, " +
         std::to_string(static_cast<int>(state[0])) + ", got '" + std::to_string(sources_.size()) +
         "'";
-    error->fix_error(FLERR, this, message.c_str());
+    stop_run(lmp, *this, message);
   }
   random_->reset(static_cast<int>(state[1]));
   lines_ = static_cast<int>(state[2]);

@@ -6,15 +6,15 @@
 #include <cstdio>
 
 #include "atom.h"
-#include "error.h"
 #include "fix_multisphere.h"
 #include "memory.h"
 #include "modify.h"
 #include "particle_to_insert_spherocylinder.h"
+#include "prime_seed.h"
 #include "random_park.h"
 #include "rod_properties.h"
 #include "rodpack/averaging/volume_shares.h"
-#include "style_arguments.h"
+#include "stop_run.h"
 
 namespace LAMMPS_NS {
 
@@ -146,13 +146,13 @@ void FixTemplateSpherocylinder::init() {
       const std::string message = "type must be unique and run from 1 to " + std::to_string(n) +
                                   " over all " + family + " fixes, got '" + std::to_string(type) +
                                   "'";
-      error->fix_error(FLERR, this, message.c_str());
+      stop_run(lmp, *this, message);
     }
   }
   auto* multisphere = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
   if (!multisphere) return;
   if (!(multisphere->groupbit & groupbit))
-    error->fix_error(FLERR, this, "and fix multisphere must be members of the same group");
+    stop_run(lmp, *this, "and fix multisphere must be members of the same group");
   rod_properties(multisphere->data());
 }
 
@@ -171,14 +171,13 @@ void FixTemplateSpherocylinder::setup(int) {
     const Spherocylinder chain = options_->particle(2. * atom->radius[i]);
     if (bodies.nrigid(body) != nspheres ||
         std::fabs(bodies.r_bound(body) / chain.bounding_radius - 1.) > 1e-9) {
-      const std::string text =
-          std::string("Fix ") + style + " (id " + id + "): body " + std::to_string(tag) +
-          " of type " + std::to_string(type_) + " is a chain of " +
-          std::to_string(bodies.nrigid(body)) + " spheres and bounding radius " +
-          std::to_string(bodies.r_bound(body)) + " m, expected " + std::to_string(nspheres) +
-          " and " + std::to_string(chain.bounding_radius) +
-          " m: declare the template of the run that wrote the restart file";
-      error->one(FLERR, text.c_str());
+      stop_run_from_one_rank(
+          lmp, *this,
+          "body " + std::to_string(tag) + " of type " + std::to_string(type_) + " is a chain of " +
+              std::to_string(bodies.nrigid(body)) + " spheres and bounding radius " +
+              std::to_string(bodies.r_bound(body)) + " m, expected " + std::to_string(nspheres) +
+              " and " + std::to_string(chain.bounding_radius) +
+              " m: declare the template of the run that wrote the restart file");
     }
     rods.radius->set(body, atom->radius[i]);
     rods.half_length->set(

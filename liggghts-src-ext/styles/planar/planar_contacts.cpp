@@ -7,7 +7,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact_model_constants.h"
-#include "error.h"
 #include "fix_contact_history.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
@@ -22,6 +21,7 @@
 #include "primitive_wall.h"
 #include "rodpack/contact/normal_history.h"
 #include "rodpack/contact/tangential_history.h"
+#include "stop_run.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -118,7 +118,7 @@ struct Frame {
 }  // namespace
 
 void PlanarContacts::refuse(const std::string& what) const {
-  error->all(FLERR, ("run_style verlet/planar: " + what).c_str());
+  stop_run(lmp, "run_style verlet/planar: " + what);
 }
 
 void PlanarContacts::connect() {
@@ -260,9 +260,9 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
 int PlanarContacts::local_atom(int tag) const {
   const int i = atom->map(tag);
   if (i < 0 || i >= atom->nlocal || atom->tag[i] != tag)
-    error->one(FLERR, ("run_style verlet/planar: a contact of atom " + std::to_string(tag) +
-                       " has come to another rank than the atom")
-                          .c_str());
+    stop_run_from_one_rank(lmp, "run_style verlet/planar: a contact of atom " +
+                                    std::to_string(tag) +
+                                    " has come to another rank than the atom");
   return i;
 }
 
@@ -309,7 +309,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
         .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
   }
   if (missing != 0)
-    error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
+    stop_run_from_one_rank(lmp, "run_style verlet/planar: a contact is not in the neighbour list");
 }
 
 void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
@@ -324,8 +324,8 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
   for (int i = 0; i < atom->nlocal; ++i) {
     most = std::max(most, counts[i]);
     if (!HistoryAccess::allocate(histories, i, counts[i]))
-      error->one(FLERR,
-                 "run_style verlet/planar: contact history overflow, boost neigh_modify one");
+      stop_run_from_one_rank(
+          lmp, "run_style verlet/planar: contact history overflow, boost neigh_modify one");
   }
   // what an atom takes along when it changes its rank
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);

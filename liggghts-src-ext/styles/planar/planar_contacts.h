@@ -43,7 +43,7 @@ class PlanarContacts : protected Pointers {
 
  private:
   struct Record;
-  void refuse(const std::string& what) const;
+  [[noreturn]] void refuse(const std::string& what) const;
   int local_atom(int tag) const;
   void write_to_walls(const std::vector<PlanarContactRecord>& records) const;
 

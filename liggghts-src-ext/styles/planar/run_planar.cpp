@@ -15,7 +15,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "fix.h"
 #include "fix_gravity.h"
 #include "fix_multisphere_ab.h"
@@ -27,6 +26,8 @@
 #include "rodpack/geometry/order_by_place.h"
 #include "rodpack/planar/scene.h"
 #include "signal_handling.h"
+#include "stop_run.h"
+#include "style_arguments.h"
 #include "timer.h"
 #include "update.h"
 
@@ -92,24 +93,24 @@ RunPlanar::RunPlanar(LAMMPS* lmp, int narg, char** arg)
 }
 
 void RunPlanar::read_options(int narg, char** arg) {
-  for (int k = 0; k < narg;) {
-    if (std::strcmp(arg[k], "skin") == 0 && k + 2 < narg) {
-      min_skin_ = force->numeric(FLERR, arg[k + 1]);
-      max_skin_ = force->numeric(FLERR, arg[k + 2]);
-      if (!(min_skin_ > 0.0) || max_skin_ < min_skin_)
-        refuse(std::string("skin is ") + arg[k + 1] + " " + arg[k + 2] +
-               ", expected 0 < least <= largest (m)");
-      k += 3;
-    } else if (std::strcmp(arg[k], "instructions") == 0 && k + 1 < narg) {
+  StyleArguments arguments(lmp, "run_style verlet/planar", narg, arg, 0);
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "a keyword");
+    if (keyword == "skin" && arguments.left() >= 2) {
+      const std::string expected = "0 < least <= largest (m)";
+      const std::string both = arguments.peek() + " " + arguments.peek(1);
+      min_skin_ = arguments.number(keyword, expected);
+      max_skin_ = arguments.number(keyword, expected);
+      if (!(min_skin_ > 0.0) || max_skin_ < min_skin_) arguments.reject(keyword, expected, both);
+    } else if (keyword == "instructions" && arguments.more()) {
       try {
-        instructions_ = rodpack::planar_instructions(arg[k + 1]);
+        instructions_ = rodpack::planar_instructions(arguments.word(keyword, "their name"));
       } catch (const std::invalid_argument& reason) {
-        refuse(reason.what());
+        arguments.fail(reason.what());
       }
-      k += 2;
     } else {
-      refuse(std::string("unknown keyword or missing value at '") + arg[k] +
-             "', expected skin and two lengths, or instructions and their name");
+      arguments.fail("unknown keyword or missing value at '" + keyword +
+                     "', expected skin and two lengths, or instructions and their name");
     }
   }
 }
@@ -117,7 +118,7 @@ void RunPlanar::read_options(int narg, char** arg) {
 RunPlanar::~RunPlanar() = default;
 
 void RunPlanar::refuse(const std::string& what) const {
-  error->all(FLERR, ("run_style verlet/planar: " + what).c_str());
+  stop_run(lmp, "run_style verlet/planar: " + what);
 }
 
 void RunPlanar::setup() {
@@ -132,7 +133,7 @@ void RunPlanar::setup_minimal(int flag) {
 
 /// On one rank: others do not know.
 void RunPlanar::refuse_one(const std::string& what) const {
-  error->one(FLERR, ("run_style verlet/planar: " + what).c_str());
+  stop_run_from_one_rank(lmp, "run_style verlet/planar: " + what);
 }
 
 void RunPlanar::check() {

@@ -36,8 +36,8 @@ class RunPlanar : public Verlet {
   void run(int steps) override;
 
  private:
-  void refuse(const std::string& what) const;
-  void refuse_one(const std::string& what) const;
+  [[noreturn]] void refuse(const std::string& what) const;
+  [[noreturn]] void refuse_one(const std::string& what) const;
   void check();
   void check_scene();
   void check_fixes() const;
