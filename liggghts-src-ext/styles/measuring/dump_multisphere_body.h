@@ -18,6 +18,10 @@ class DumpMultisphereBody : public TableDump {
 
  protected:
   void list_rows();
+
+ private:
+  void list_bodies(const class ParticleIdentity& particles);
+  void list_plain_spheres(const class ParticleIdentity& particles);
 };
 
 }  // namespace LAMMPS_NS

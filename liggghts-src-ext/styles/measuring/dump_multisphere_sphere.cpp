@@ -12,17 +12,7 @@ namespace LAMMPS_NS {
 
 DumpMultisphereSphere::DumpMultisphereSphere(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg), recorder_(lmp) {
-  set_columns("ATOMS", {{"id", true},
-                        {"body", true},
-                        {"type", true},
-                        {"x", false},
-                        {"y", false},
-                        {"z", false},
-                        {"radius", false},
-                        {"fx", false},
-                        {"fy", false},
-                        {"fz", false},
-                        {"fsum", false}});
+  set_columns("ATOMS", rodpack::sphere_dump::columns);
   sortBuffer = new SortBuffer(lmp, true);
 }
 
@@ -48,22 +38,16 @@ void DumpMultisphereSphere::list_rows() {
 
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    double x[3];
-    vectorCopy3D(atom->x[i], x);
-    domain->remap(x);
-    ids_.push_back(atom->tag[i]);
-    const double row[] = {static_cast<double>(atom->tag[i]),
-                          static_cast<double>(particles.id_of(i)),
-                          static_cast<double>(atom->type[i]),
-                          x[0],
-                          x[1],
-                          x[2],
-                          atom->radius[i],
-                          forces[i][0],
-                          forces[i][1],
-                          forces[i][2],
-                          forces[i][3]};
-    rows_.insert(rows_.end(), row, row + 11);
+    rodpack::sphere_dump::Row row;
+    row.id = atom->tag[i];
+    row.body = particles.id_of(i);
+    row.type = atom->type[i];
+    vectorCopy3D(atom->x[i], row.centre);
+    domain->remap(row.centre);
+    row.radius = atom->radius[i];
+    vectorCopy3D(forces[i].data(), row.force);
+    row.force_sum = forces[i][3];
+    add_row(atom->tag[i], row);
   }
 }
 

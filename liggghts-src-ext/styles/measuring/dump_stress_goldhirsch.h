@@ -27,8 +27,6 @@ class DumpStressGoldhirsch : public Dump {
   void write_data(int, double*) {}
 
  private:
-  [[noreturn]] void stop(const std::string& text) const;
-
   std::string compute_id_;
   class ComputeStressGoldhirsch* compute_;
   bool image_;  // .vti, else .csv
