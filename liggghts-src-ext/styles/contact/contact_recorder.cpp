@@ -57,22 +57,22 @@ bool reports(Style* style) {
 
 }  // namespace
 
-void ContactRecorder::check_models(const std::string& caller) const {
+void ContactRecorder::check_models() const {
   const char* needs =
       " lists contacts of 'model spring_dashpot' with 'tangential spring_dashpot' or none; ";
   Pair* pair = force->pair_match("gran", 0);
-  if (!pair) stop_run(lmp, caller + needs + "there is no pair_style gran");
+  if (!pair) stop_run(lmp, caller_ + needs + "there is no pair_style gran");
   if (!reports(static_cast<PairGran*>(pair)))
-    stop_run(lmp, caller + needs + "pair_style gran has another");
+    stop_run(lmp, caller_ + needs + "pair_style gran has another");
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
     if (!reports(wall))
-      stop_run(lmp, caller + needs + "fix wall/gran " + wall->id + " has another");
+      stop_run(lmp, caller_ + needs + "fix wall/gran " + wall->id + " has another");
   }
 }
 
-const std::vector<ContactRecord>& ContactRecorder::collect(const std::string& caller) {
-  check_models(caller);
+const std::vector<ContactRecord>& ContactRecorder::collect() {
+  check_models();
   records_.clear();
   PairGran* pair = static_cast<PairGran*>(force->pair_match("gran", 0));
   // The list is good from the evaluation of the forces on until atoms move to other places in
@@ -80,7 +80,7 @@ const std::vector<ContactRecord>& ContactRecorder::collect(const std::string& ca
   const int stale = !pair->list || pair->list->inum != atom->nlocal || !pair->computeflag();
   int any_stale = 0;
   MPI_Allreduce(&stale, &any_stale, 1, MPI_INT, MPI_MAX, world);
-  if (any_stale) stop_run(lmp, caller + ": contacts are not known here, put a 'run 0' before");
+  if (any_stale) stop_run(lmp, caller_ + ": contacts are not known here, put a 'run 0' before");
 
   armed_ = this;
   PairAccess::evaluate(pair);

@@ -7,34 +7,19 @@
 #include "fix_multisphere.h"
 #include "particle_identity.h"
 #include "style_arguments.h"
-#include "update.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
 
 ComputeMultisphereKe::ComputeMultisphereKe(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg) {
+    : VectorCompute(lmp, iarg, narg, arg, 2, true) {
   const StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
   arguments.require_end();
   arguments.require_group_all("counts whole bodies");
   if (!atom->sphere_flag) arguments.fail("requires atom style sphere");
-  scalar_flag = vector_flag = 1;
-  extscalar = extvector = 1;
-  size_vector = 2;
-  vector = new double[size_vector];
 }
 
-ComputeMultisphereKe::~ComputeMultisphereKe() { delete[] vector; }
-
-double ComputeMultisphereKe::compute_scalar() {
-  invoked_scalar = update->ntimestep;
-  compute_vector();
-  scalar = vector[0] + vector[1];
-  return scalar;
-}
-
-void ComputeMultisphereKe::compute_vector() {
-  invoked_vector = update->ntimestep;
+void ComputeMultisphereKe::evaluate() {
   const ParticleIdentity particles(lmp);
   double own[2] = {0.0, 0.0};
 

@@ -22,7 +22,7 @@ ComputeStressGoldhirsch::ComputeStressGoldhirsch(LAMMPS* lmp, int& iarg, int nar
     : Compute(lmp, iarg, narg, arg),
       options_(read_averaging_options(lmp, narg, arg, iarg)),
       averages_(options_.start()),
-      recorder_(lmp) {
+      recorder_(lmp, std::string("compute ") + style) {
   iarg = narg;
   if (averages_.sums().size() > INT_MAX)
     stop_run(lmp, *this,
@@ -39,7 +39,7 @@ ComputeStressGoldhirsch::ComputeStressGoldhirsch(LAMMPS* lmp, int& iarg, int nar
 
 ComputeStressGoldhirsch::~ComputeStressGoldhirsch() { memory->destroy(array); }
 
-void ComputeStressGoldhirsch::init() { recorder_.check_models(std::string("compute ") + style); }
+void ComputeStressGoldhirsch::init() { recorder_.check_models(); }
 
 double ComputeStressGoldhirsch::memory_usage() {
   const double columns = size_array_cols;
@@ -67,7 +67,7 @@ void ComputeStressGoldhirsch::evaluate() {
   const ParticleIdentity particles(lmp);
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
   std::vector<rodpack::Contact> contacts;
-  for (const ContactRecord& record : recorder_.collect(std::string("compute ") + style))
+  for (const ContactRecord& record : recorder_.collect())
     if (record.primary) contacts.push_back(particles.contact_of(record, centres));
   rodpack::ContactPairs own = rodpack::sum_pairs(std::move(contacts));
 

@@ -9,13 +9,13 @@
 namespace LAMMPS_NS {
 
 DumpContactGran::DumpContactGran(LAMMPS* lmp, int narg, char** arg)
-    : TableDump(lmp, narg, arg), recorder_(lmp) {
+    : TableDump(lmp, narg, arg), recorder_(lmp, std::string("dump ") + style) {
   StyleArguments(lmp, narg, arg, 5, "Dump").require_group_all("lists all contacts");
   set_columns("ENTRIES", rodpack::contact_dump::columns);
 }
 
 void DumpContactGran::init_style() {
-  recorder_.check_models(std::string("dump ") + style);
+  recorder_.check_models();
   TableDump::init_style();
 }
 
@@ -23,7 +23,7 @@ void DumpContactGran::list_rows() {
   const ParticleIdentity particles(lmp);
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
 
-  for (const ContactRecord& contact : recorder_.collect(std::string("dump ") + style)) {
+  for (const ContactRecord& contact : recorder_.collect()) {
     if (!contact.primary) continue;
     const bool wall = contact.j < 0;
     const rodpack::Contact ends = particles.contact_of(contact, centres);

@@ -11,13 +11,13 @@
 namespace LAMMPS_NS {
 
 DumpMultisphereSphere::DumpMultisphereSphere(LAMMPS* lmp, int narg, char** arg)
-    : TableDump(lmp, narg, arg), recorder_(lmp) {
+    : TableDump(lmp, narg, arg), recorder_(lmp, std::string("dump ") + style) {
   set_columns("ATOMS", rodpack::sphere_dump::columns);
   sortBuffer = new SortBuffer(lmp, true);
 }
 
 void DumpMultisphereSphere::init_style() {
-  recorder_.check_models(std::string("dump ") + style);
+  recorder_.check_models();
   TableDump::init_style();
 }
 
@@ -26,7 +26,7 @@ void DumpMultisphereSphere::list_rows() {
 
   // Each rank has every contact of its own spheres in its list, so nothing needs to be sent.
   std::vector<std::array<double, 4>> forces(atom->nlocal, {{0.0, 0.0, 0.0, 0.0}});
-  for (const ContactRecord& contact : recorder_.collect(std::string("dump ") + style)) {
+  for (const ContactRecord& contact : recorder_.collect()) {
     const double magnitude = vectorMag3D(contact.force);
     const auto add = [&](int sphere, double sign) {
       for (int d = 0; d < 3; ++d) forces[sphere][d] += sign * contact.force[d];

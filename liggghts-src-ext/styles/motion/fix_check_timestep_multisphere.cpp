@@ -42,7 +42,7 @@ std::string text_of(double value) {
 FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg),
       options_(lmp),
-      recorder_(lmp),
+      recorder_(lmp, std::string("fix ") + style),
       warn_(0.8),
       error_(true),
       warned_(0.0),
@@ -73,7 +73,7 @@ FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, 
 int FixCheckTimestepMultisphere::setmask() { return FixConst::END_OF_STEP; }
 
 void FixCheckTimestepMultisphere::init() {
-  recorder_.check_models(std::string("fix ") + style);
+  recorder_.check_models();
   order_ = running_order();
 }
 
@@ -147,7 +147,7 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
     const ParticleIdentity& particles) {
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
   std::vector<NetworkContact> result;
-  for (const ContactRecord& record : recorder_.collect(std::string("fix ") + style)) {
+  for (const ContactRecord& record : recorder_.collect()) {
     if (!record.primary) continue;
     const bool sticks =
         record.kt > 0.0 && property("coefficientFriction", record.type_i, record.type_j) > 0.0;

@@ -8,8 +8,8 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "fix_multisphere.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "planar_orientation.h"
 #include "stop_run.h"
 #include "style_arguments.h"
@@ -72,7 +72,7 @@ void FixEnforce2DMultisphere::init() {
     stop_run(lmp, *this, message);
   }
 
-  auto* multisphere = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  FixMultisphere* const multisphere = multisphere_fix(modify);
   bodies_ = multisphere ? &multisphere->data() : NULL;
   if (!bodies_) return;
   if (igroup != 0) stop_run(lmp, *this, "group must be all where there is a fix multisphere");

@@ -11,10 +11,10 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_multisphere.h"
 #include "fix_property_atom.h"
 #include "modify.h"
 #include "mpi_liggghts.h"
+#include "multisphere_fix.h"
 #include "rodpack/motion/multistep.h"
 #include "stop_run.h"
 #include "style_arguments.h"
@@ -67,7 +67,7 @@ void FixNVESphereAB::init() {
   planar_ = options_.planar();
   // as fix nve/sphere: in a two-dimensional simulation the particles are discs
   inertia_factor_ = domain->dimension == 2 ? 0.5 : 0.4;
-  bodies_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  bodies_ = multisphere_fix(modify);
 
   int points = 0;
   for (int i = 0; i < atom->nlocal; ++i)

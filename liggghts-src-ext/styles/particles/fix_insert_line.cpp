@@ -13,11 +13,11 @@
 #include "container.h"
 #include "domain.h"
 #include "fix_gravity.h"
-#include "fix_multisphere.h"
 #include "fix_template_multisphere.h"
 #include "fix_template_spherocylinder.h"
 #include "irregular.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "particleToInsert.h"
 #include "prime_seed.h"
 #include "random_park.h"
@@ -59,7 +59,7 @@ int FixInsertLine::setmask() { return PRE_EXCHANGE; }
 
 void FixInsertLine::init() {
   const int bodies = modify->n_fixes_style("multisphere");
-  multisphere_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  multisphere_ = multisphere_fix(modify);
   for (const Source& source : sources_)
     if (is_multisphere(source.particles) && bodies != 1) {
       const std::string message = std::string("template ") + source.particles->id +

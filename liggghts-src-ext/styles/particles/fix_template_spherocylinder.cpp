@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "atom.h"
-#include "fix_multisphere.h"
 #include "memory.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "particle_to_insert_spherocylinder.h"
 #include "prime_seed.h"
 #include "random_park.h"
@@ -149,7 +149,7 @@ void FixTemplateSpherocylinder::init() {
       stop_run(lmp, *this, message);
     }
   }
-  auto* multisphere = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  FixMultisphere* const multisphere = multisphere_fix(modify);
   if (!multisphere) return;
   if (!(multisphere->groupbit & groupbit))
     stop_run(lmp, *this, "and fix multisphere must be members of the same group");
@@ -158,7 +158,7 @@ void FixTemplateSpherocylinder::init() {
 
 // Bodies that come from a restart file have lost their rod properties.
 void FixTemplateSpherocylinder::setup(int) {
-  auto* multisphere = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  FixMultisphere* const multisphere = multisphere_fix(modify);
   if (!multisphere) return;
   Multisphere& bodies = multisphere->data();
   auto& type = *bodies.prop().getElementProperty<ScalarContainer<int>>("clumptype");
