@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 using namespace rodpack::test;
@@ -23,39 +24,16 @@ void expect_error(const std::string& deck, const Vars& vars, const std::string& 
 
 /// Two spheres at rest; `models` follows pair_style gran, `commands` come before a run of 0 steps.
 std::string small_deck(const std::string& models, const std::string& commands) {
-  std::string deck = R"(
-atom_style granular
-atom_modify map array
-boundary f f p
-newton off
-communicate single vel yes
-units si
-region box block -0.02 0.02 -0.02 0.02 -0.01 0.01 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix p1 all property/global kn peratomtypepair 1 1000
-fix p2 all property/global kt peratomtypepair 1 500
-fix p3 all property/global gamman peratomtypepair 1 1
-fix p4 all property/global gammat peratomtypepair 1 1
-fix p5 all property/global dampingRatioNormal peratomtypepair 1 0.2
-fix p6 all property/global dampingRatioTangential peratomtypepair 1 0.2
-fix p7 all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran MODELS
-pair_coeff * *
-timestep 1e-5
+  return Deck().boundary("f f p").box("-0.02 0.02 -0.02 0.02 -0.01 0.01").models(models).with(R"(
+fix gn all property/global gamman peratomtypepair 1 1
+fix gt all property/global gammat peratomtypepair 1 1
 create_atoms 1 single -0.00149 0 0 units box
 create_atoms 1 single  0.00149 0 0 units box
 set group all diameter 0.003 density 2500
 fix integrate all nve/sphere
 variable one equal 1
 variable name string text
-COMMANDS
-run 0
-)";
-  deck.replace(deck.find("MODELS"), 6, models);
-  deck.replace(deck.find("COMMANDS"), 8, commands);
-  return deck;
+)" + commands + "\nrun 0\n");
 }
 
 const std::string ours = "model spring_dashpot tangential spring_dashpot";
