@@ -16,7 +16,7 @@
 
 using namespace LAMMPS_NS;
 
-/// The words of the command that wall/gran understands, and the side.
+/// The command, taken apart: the words that wall/gran understands, and which side is free.
 struct FixWallGranSolid::Arguments {
   std::vector<char*> words;
   std::string plane, bound;

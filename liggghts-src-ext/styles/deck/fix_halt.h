@@ -12,8 +12,8 @@ FixStyle(halt,FixHalt)
 
 namespace LAMMPS_NS {
 
-/// Ends a run when an equal-style variable meets a condition, or has met it for a while; the input
-/// script goes on. Scalar: 1 if the last run was ended by this fix, else 0.
+/// fix halt: ends a run when an equal-style variable meets a condition, or has met it for a while;
+/// the input script goes on. Its scalar is 1 if the last run was ended by this fix, else 0.
 class FixHalt : public Fix {
  public:
   FixHalt(class LAMMPS* lmp, int narg, char** arg);

@@ -16,8 +16,8 @@ CommandStyle(parameter, Parameter)
 
 namespace LAMMPS_NS {
 
-/// Declares, validates and records the parameters that a deck takes from the command line (-var);
-/// syntax in doc/parameter.md.
+/// Command parameter: declares, validates and records the parameters that a deck takes from the
+/// command line (-var); see doc/parameter.md.
 class Parameter : protected Pointers {
  public:
   explicit Parameter(LAMMPS* lmp) : Pointers(lmp) {}
@@ -39,7 +39,7 @@ class Parameter : protected Pointers {
   void set_variable(const std::string& name, const std::string& style,
                     const std::string& value) const;
 
-  // a command object lives for one line only, the declarations for the whole deck
+  // A command object lives for one line only, the declarations for the whole deck.
   static std::vector<Declaration> declared_;
 };
 

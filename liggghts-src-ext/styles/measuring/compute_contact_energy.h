@@ -12,8 +12,8 @@ ComputeStyle(contact/energy,ComputeContactEnergy)
 
 namespace LAMMPS_NS {
 
-/// Elastic energy of all contacts, J: scalar sum k_n delta^2 / 2 + k_t s^2 / 2; vector (normal,
-/// tangential).
+/// compute contact/energy: the elastic energy of all contacts, J. Its vector holds the sums of
+/// k_n delta^2 / 2 and of k_t s^2 / 2 over the contacts, its scalar the total.
 class ComputeContactEnergy : public VectorCompute {
  public:
   ComputeContactEnergy(class LAMMPS* lmp, int& iarg, int narg, char** arg);

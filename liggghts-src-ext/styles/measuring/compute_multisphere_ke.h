@@ -11,8 +11,8 @@ ComputeStyle(multisphere/ke,ComputeMultisphereKe)
 
 namespace LAMMPS_NS {
 
-/// Kinetic energy of all particles, bodies and plain spheres, J: scalar total; vector
-/// (translational, rotational).
+/// compute multisphere/ke: the kinetic energy of all particles, bodies and plain spheres, J. Its
+/// vector holds the translational and the rotational energy, its scalar the total.
 class ComputeMultisphereKe : public VectorCompute {
  public:
   ComputeMultisphereKe(class LAMMPS* lmp, int& iarg, int narg, char** arg);

@@ -11,7 +11,8 @@ DumpStyle(multisphere/body,DumpMultisphereBody)
 
 namespace LAMMPS_NS {
 
-/// One line per particle, body or plain sphere; see doc/dump_multisphere_body.md.
+/// dump multisphere/body: writes one line per particle, body or plain sphere; see
+/// doc/dump_multisphere_body.md.
 class DumpMultisphereBody : public TableDump {
  public:
   DumpMultisphereBody(class LAMMPS* lmp, int narg, char** arg);

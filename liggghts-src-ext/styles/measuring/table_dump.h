@@ -13,8 +13,9 @@ namespace LAMMPS_NS {
 /// `name` with its * replaced by the step, padded with zeros to `width` digits.
 std::string name_at_step(std::string name, long long step, int width);
 
-/// Base of our dumps: a LIGGGHTS text dump with fixed columns, whose rows the derived style lists
-/// anew for each frame. File names as for any dump (* the step, % the rank, .gz compressed).
+/// Base of our dumps: writes a LIGGGHTS text dump with fixed columns, whose rows the derived style
+/// lists anew for each frame. File names are as for any dump: * stands for the step, % for the
+/// rank, and .gz compresses.
 class TableDump : public Dump {
  public:
   TableDump(class LAMMPS* lmp, int narg, char** arg);

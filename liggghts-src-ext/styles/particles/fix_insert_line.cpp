@@ -106,25 +106,25 @@ bigint FixInsertLine::line_step(int line) const {
 void FixInsertLine::pre_exchange() {
   const bigint now = update->ntimestep;
   if (next_reneighbor != now || last_line_step_ == now) return;
-  std::vector<Place> line = draw_line();
+  std::vector<Draw> line = draw_line();
   const std::vector<Sphere> spheres = spheres_of(line);
   check_overlaps(line, spheres);
   create(line, spheres);
 
-  for (const Place& place : line) ++place.source->inserted;
+  for (const Draw& draw : line) ++draw.source->inserted;
   inserted_ += static_cast<int>(line.size());
   ++lines_;
   last_line_step_ = now;
   next_reneighbor = inserted_ < options_.total ? line_step(lines_) : -1;
 }
 
-std::vector<FixInsertLine::Place> FixInsertLine::draw_line() {
+std::vector<FixInsertLine::Draw> FixInsertLine::draw_line() {
   const int n = std::min(options_.per_line, options_.total - inserted_);
   const double cell = (options_.x_high - options_.x_low) / n;
   std::vector<int> left;
   for (const Source& source : sources_) left.push_back(std::max(0, source.total - source.inserted));
 
-  std::vector<Place> line;
+  std::vector<Draw> line;
   for (int i = 0; i < n; ++i) {
     // drawn without putting back, so that the fractions are met exactly at the end
     int sum = 0;
@@ -133,18 +133,18 @@ std::vector<FixInsertLine::Place> FixInsertLine::draw_line() {
     std::size_t s = 0;
     while (s + 1 < left.size() && choice >= left[s]) choice -= left[s++];
     --left[s];
-    Place place;
-    place.source = &sources_[s];
-    place.size = random_->uniform();
-    place.angle =
+    Draw draw;
+    draw.source = &sources_[s];
+    draw.size = random_->uniform();
+    draw.angle =
         options_.angle_low + (options_.angle_high - options_.angle_low) * random_->uniform();
-    place.velocity = options_.velocity_low +
-                     (options_.velocity_high - options_.velocity_low) * random_->uniform();
-    place.x = options_.x_low + (i + 0.5) * cell;
-    const double centre[3] = {place.x, options_.y, options_.z};
-    place.mine = mine(centre);
-    place.first_sphere = 0;
-    line.push_back(place);
+    draw.velocity = options_.velocity_low +
+                    (options_.velocity_high - options_.velocity_low) * random_->uniform();
+    draw.x = options_.x_low + (i + 0.5) * cell;
+    const double centre[3] = {draw.x, options_.y, options_.z};
+    draw.mine = mine(centre);
+    draw.first_sphere = 0;
+    line.push_back(draw);
   }
   return line;
 }
@@ -159,21 +159,21 @@ bool FixInsertLine::mine(const double* x) const {
   return true;
 }
 
-/// Makes the template's `pti` this particle.
-void FixInsertLine::prepare(const Place& place) const {
-  FixTemplateSphere& particles = *place.source->particles;
+/// Makes the template's `pti`, its particle on the way into the simulation, the one drawn.
+void FixInsertLine::prepare(const Draw& draw) const {
+  FixTemplateSphere& particles = *draw.source->particles;
   if (auto* rods = dynamic_cast<FixTemplateSpherocylinder*>(&particles))
-    rods->prepare_single(place.size);
+    rods->prepare_single(draw.size);
   else
     particles.randomize_single();  // the public version's templates are of one size
-  double x[3] = {place.x, options_.y, options_.z}, v[3] = {place.velocity, 0., 0.},
+  double x[3] = {draw.x, options_.y, options_.z}, v[3] = {draw.velocity, 0., 0.},
          omega[3] = {0., 0., 0.};
-  double quat[4] = {std::cos(0.5 * place.angle), 0., 0., std::sin(0.5 * place.angle)};
+  double quat[4] = {std::cos(0.5 * draw.angle), 0., 0., std::sin(0.5 * draw.angle)};
   particles.pti->set_x_v_omega(x, v, omega, quat);
   particles.pti->groupbit |= groupbit;
 }
 
-std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Place>& line) const {
+std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Draw>& line) const {
   std::vector<Sphere> spheres;
   for (std::size_t i = 0; i < line.size(); ++i) {
     prepare(line[i]);
@@ -187,7 +187,7 @@ std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Place>&
   return spheres;
 }
 
-/// Spheres of a line in the order of x, to find those at a place without a look at all.
+/// Spheres of a line in the order of x, to find those near a place without going through all.
 class FixInsertLine::SpheresAlongX {
  public:
   /// `period` of x; 0: none
@@ -200,14 +200,14 @@ class FixInsertLine::SpheresAlongX {
               [](const Sphere* a, const Sphere* b) { return a->x[0] < b->x[0]; });
   }
 
-  /// Calls look(sphere) for all that a sphere at x may touch, and some others.
-  template <class Look>
-  void visit(double x, double radius, Look look) const {
+  /// Calls visitor(sphere) for all that a sphere of this radius at x may touch, and some others.
+  template <class Visitor>
+  void visit(double x, double radius, Visitor visitor) const {
     for (int image = period_ > 0.0 ? -1 : 0; image <= (period_ > 0.0 ? 1 : 0); ++image) {
       const double here = x + image * period_, reach = radius + widest_;
       auto next = std::lower_bound(sorted_.begin(), sorted_.end(), here - reach,
                                    [](const Sphere* a, double low) { return a->x[0] < low; });
-      for (; next != sorted_.end() && (*next)->x[0] <= here + reach; ++next) look(**next);
+      for (; next != sorted_.end() && (*next)->x[0] <= here + reach; ++next) visitor(**next);
     }
   }
 
@@ -216,21 +216,22 @@ class FixInsertLine::SpheresAlongX {
   double widest_, period_;
 };
 
-void FixInsertLine::check_overlaps(const std::vector<Place>& line,
+void FixInsertLine::check_overlaps(const std::vector<Draw>& line,
                                    const std::vector<Sphere>& spheres) const {
   struct {
     double depth;
     int rank;
   } worst = {0., comm->me}, all;
-  int found[2] = {-1, 0};  // place, tag of the sphere in its way (0: another place of the line)
-  const auto look = [&](const Sphere& sphere, const double* x, double radius, int tag) {
+  // the particle of the line; tag of the sphere in its way, 0 for one of another particle of it
+  int found[2] = {-1, 0};
+  const auto keep_deepest = [&](const Sphere& sphere, const double* x, double radius, int tag) {
     double dx = x[0] - sphere.x[0], dy = x[1] - sphere.x[1], dz = x[2] - sphere.x[2];
     domain->minimum_image(dx, dy, dz);
     const double reach = sphere.radius + radius;
     const double depth = reach - std::sqrt(dx * dx + dy * dy + dz * dz);
     if (depth <= 1e-9 * reach || depth <= worst.depth) return;  // touching is no overlap
     worst.depth = depth;
-    found[0] = sphere.place;
+    found[0] = sphere.particle;
     found[1] = tag;
   };
   const SpheresAlongX near(spheres, domain->xperiodic ? domain->xprd : 0.0);
@@ -242,12 +243,14 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
   for (int i = 0; i < atom->nlocal; ++i) {
     const double y = atom->x[i][1], radius = atom->radius[i];
     if (!domain->yperiodic && (y - radius > highest || y + radius < lowest)) continue;
-    near.visit(atom->x[i][0], radius,
-               [&](const Sphere& sphere) { look(sphere, atom->x[i], radius, atom->tag[i]); });
+    near.visit(atom->x[i][0], radius, [&](const Sphere& sphere) {
+      keep_deepest(sphere, atom->x[i], radius, atom->tag[i]);
+    });
   }
   for (const Sphere& sphere : spheres)
     near.visit(sphere.x[0], sphere.radius, [&](const Sphere& other) {
-      if (&other > &sphere && other.place != sphere.place) look(sphere, other.x, other.radius, 0);
+      if (&other > &sphere && other.particle != sphere.particle)
+        keep_deepest(sphere, other.x, other.radius, 0);
     });
 
   MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
@@ -263,7 +266,7 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
   stop_run(lmp, *this, text);
 }
 
-void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sphere>& spheres) {
+void FixInsertLine::create(const std::vector<Draw>& line, const std::vector<Sphere>& spheres) {
   for (int i = 0; i < modify->nfix; ++i)
     if (modify->fix[i]->create_attribute) modify->fix[i]->pre_set_arrays();
 
@@ -271,20 +274,20 @@ void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sph
   const int last_sphere = atom->tag_max();
   int body = multisphere_ ? multisphere_->tag_max_body() : 0;
   FixTemplateSphere* bodies_from = NULL;
-  for (const Place& place : line) {
-    prepare(place);
-    ParticleToInsert& particle = *place.source->particles->pti;
+  for (const Draw& draw : line) {
+    prepare(draw);
+    ParticleToInsert& particle = *draw.source->particles->pti;
     mass_inserted_ += particle.mass_ins;
-    const bool is_body = is_multisphere(place.source->particles);
+    const bool is_body = is_multisphere(draw.source->particles);
     if (is_body) {
-      bodies_from = place.source->particles;
+      bodies_from = draw.source->particles;
       ++body;
     }
-    if (!place.mine) continue;
+    if (!draw.mine) continue;
     const int first = atom->nlocal;
     particle.insert();
     for (int i = first; i < atom->nlocal; ++i)
-      atom->tag[i] = last_sphere + place.first_sphere + 1 + (i - first);
+      atom->tag[i] = last_sphere + draw.first_sphere + 1 + (i - first);
     if (!is_body) continue;
     Multisphere& data = multisphere_->data();
     data.prop()

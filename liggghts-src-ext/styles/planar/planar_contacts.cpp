@@ -40,7 +40,7 @@ struct WallAccess : FixWallGran {
   }
 };
 
-/// Histories by atom, where they are while lists are made anew.
+/// The histories of contacts by atom, which LIGGGHTS keeps there while it builds new lists.
 struct HistoryAccess : FixContactHistory {
   static void reset(FixContactHistory* fix) {
     (fix->*(&HistoryAccess::ipage_))->reset();
@@ -52,7 +52,7 @@ struct HistoryAccess : FixContactHistory {
   static int& count(FixContactHistory* fix, int i) {
     return (fix->*(&HistoryAccess::npartner_))[i];
   }
-  /// Room for `count` partners of atom i, which has none then; false if there is none.
+  /// Makes room for `count` partners of atom i, which then has none; false if memory is short.
   static bool allocate(FixContactHistory* fix, int i, int count) {
     int*& tags = partners(fix, i);
     double*& values = (fix->*(&HistoryAccess::contacthistory_))[i];
@@ -76,7 +76,7 @@ bool has_known_models(Style* style) {
 const char* const needed_models =
     "'model spring_dashpot tangential spring_dashpot' alone, without other models";
 
-/// A plane x = c or y = c; false for any other primitive.
+/// Finds the plane x = c or y = c that a wall is; false for any other primitive.
 bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   if (const FixWallGranSolid* solid = dynamic_cast<FixWallGranSolid*>(fix)) {
     plane.axis = solid->axis();
@@ -101,16 +101,17 @@ bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   return false;
 }
 
-/// History of one contact, as the models of LIGGGHTS keep it, along the tangent z x n.
-struct Frame {
-  double tangent[2];
-  Frame(double nx, double ny) : tangent{-ny, nx} {}
+/// The tangent t = z x n of a contact in the plane, along which the engine keeps as one number what
+/// LIGGGHTS's models keep as a vector.
+struct Tangent {
+  double direction[2];
+  Tangent(double nx, double ny) : direction{-ny, nx} {}
   double along(const double* vector) const {
-    return vector[0] * tangent[0] + vector[1] * tangent[1];
+    return vector[0] * direction[0] + vector[1] * direction[1];
   }
   void set(double component, double* vector) const {
-    vector[0] = component * tangent[0];
-    vector[1] = component * tangent[1];
+    vector[0] = component * direction[0];
+    vector[1] = component * direction[1];
     vector[2] = 0.0;
   }
 };
@@ -179,7 +180,7 @@ std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
   return planes;
 }
 
-/// What LIGGGHTS keeps of a contact.
+/// The history that LIGGGHTS keeps of one contact.
 struct PlanarContacts::Record {
   NormalHistory& normal;
   TangentialHistory tangential;
@@ -188,21 +189,21 @@ struct PlanarContacts::Record {
         tangential{values + normal_values, slots} {}
 
   bool lives(double now) const { return tangential.count() != 0.0 && tangential.step() == now; }
-  void read(const Frame& frame, PlanarContactState& contact) const {
-    contact.spring = frame.along(tangential.spring());
+  void read(const Tangent& tangent, PlanarContactState& contact) const {
+    contact.spring = tangent.along(tangential.spring());
     for (int k = 0; k < rodpack::max_multistep_order; ++k)
-      contact.velocity[k] = k < tangential.slots ? frame.along(tangential.velocity(k)) : 0.0;
+      contact.velocity[k] = k < tangential.slots ? tangent.along(tangential.velocity(k)) : 0.0;
     contact.count = static_cast<int>(tangential.count());
     contact.since = tangential.since();
     contact.uncut = normal.uncut;
     contact.touch_rate = normal.touch_rate;
     contact.fresh = normal.fresh != 0.0;
   }
-  void write(const PlanarContactState& contact, const Frame& frame, double now) const {
-    frame.set(contact.spring, tangential.spring());
+  void write(const PlanarContactState& contact, const Tangent& tangent, double now) const {
+    tangent.set(contact.spring, tangential.spring());
     for (int k = 0; k < tangential.slots; ++k)
-      frame.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
-                tangential.velocity(k));
+      tangent.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
+                  tangential.velocity(k));
     tangential.count() = contact.count;
     tangential.step() = now;
     tangential.since() = contact.since;
@@ -228,7 +229,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
     for (int jj = 0; jj < list->numneigh[i]; ++jj) {
       if (!list->listgranhistory->firstneigh[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      // the rank of j has this contact too, to rounding errors; one of both has to do
+      // The rank of j lists this contact too; one of both has to read it.
       if (j >= atom->nlocal && atom->tag[j] < atom->tag[i]) continue;
       const Record record(histories + values_ * jj, slots_);
       if (!record.lives(now)) continue;
@@ -236,7 +237,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.atom = atom->tag[i];
       contact.partner = atom->tag[j];
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
-      record.read(Frame(dx / r, dy / r), contact.state);
+      record.read(Tangent(dx / r, dy / r), contact.state);
       send(contact, i);
       if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
     }
@@ -251,7 +252,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.partner = -1 - static_cast<int>(w);
       const int axis = planes[w].axis;
       const double side = planes[w].side_of(x[i][axis] - planes[w].position);
-      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
+      record.read(Tangent(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
       send(contact, i);
     }
   return exchange_records(world, std::move(contacts));
@@ -274,7 +275,7 @@ void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& reco
   for (const PlanarContactRecord& contact : records)
     if (contact.partner < 0)
       Record(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)], slots_)
-          .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+          .write(contact.state, Tangent(contact.normal[0], contact.normal[1]), now);
 }
 
 void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
@@ -306,7 +307,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
     if (!is_there) continue;
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
     Record(list->listgranhistory->firstdouble[i] + values_ * jj, slots_)
-        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+        .write(contact.state, Tangent(contact.normal[0], contact.normal[1]), now);
   }
   if (missing != 0)
     stop_run_from_one_rank(lmp, "run_style verlet/planar: a contact is not in the neighbour list");
@@ -327,7 +328,7 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
       stop_run_from_one_rank(
           lmp, "run_style verlet/planar: contact history overflow, boost neigh_modify one");
   }
-  // what an atom takes along when it changes its rank
+  // Room for what an atom takes along when it changes its rank.
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);
   for (const PlanarContactRecord& contact : records) {
     if (contact.partner < 0) continue;
@@ -335,7 +336,7 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
     HistoryAccess::partners(histories, i)[place] = contact.partner;
     double* const values = histories->contacthistory(i, place);
     std::fill_n(values, values_, 0.0);
-    Record(values, slots_).write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+    Record(values, slots_).write(contact.state, Tangent(contact.normal[0], contact.normal[1]), now);
   }
 }
 

@@ -35,10 +35,10 @@ namespace LAMMPS_NS {
 
 namespace {
 
-// Fewer quiet steps than these are not worth the way there and back.
+// Fewer steps in a row than these are not worth the transfer to the engine and back.
 const bigint fewest_steps = 8;
 
-// Fixes that act in every step, by what the engine does itself.
+// Fixes that act in every step, whose action the engine takes over.
 const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere",
                                    "wall/gran",      "wall/gran/solid",
                                    "gravity",        "contacthistory"};
@@ -51,15 +51,15 @@ bool is_known(const char* style) {
   return false;
 }
 
-/// Steps in which a fix acts that are not announced.
+/// The mask of the ways in which a fix acts in every step, unannounced.
 int every_step() {
   return FixConst::PRE_INITIAL_INTEGRATE | FixConst::INITIAL_INTEGRATE | FixConst::POST_INTEGRATE |
          FixConst::PRE_FORCE | FixConst::POST_FORCE | FixConst::PRE_FINAL_INTEGRATE |
          FixConst::FINAL_INTEGRATE | FixConst::ITERATE_IMPLICITLY;
 }
 
-/// The engine's memory is freed at each look and wanted again in the next step: the way to the
-/// system and back would cost more than all else there.
+/// Keeps freed memory in this process: the engine frees its memory before each observed step and
+/// wants it again after it, and to return it to the system would cost more than all else there.
 void keep_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_MAX, 0);
@@ -131,7 +131,7 @@ void RunPlanar::setup_minimal(int flag) {
   Verlet::setup_minimal(flag);
 }
 
-/// On one rank: others do not know.
+/// As refuse(), where the other ranks do not know of it.
 void RunPlanar::refuse_one(const std::string& what) const {
   stop_run_from_one_rank(lmp, "run_style verlet/planar: " + what);
 }
@@ -172,7 +172,7 @@ void RunPlanar::check_fixes() const {
   }
 }
 
-bigint RunPlanar::next_look() const {
+bigint RunPlanar::next_observed_step() const {
   const bigint now = update->ntimestep;
   bigint next = update->laststep;
   if (output->next > now) next = std::min(next, output->next);
@@ -188,7 +188,7 @@ bigint RunPlanar::next_look() const {
   return next_of_all;
 }
 
-/// Whether it is so on any rank: signals reach some of them only.
+/// Whether something holds on any rank: signals, for one, reach some of them only. Collective.
 bool RunPlanar::anywhere(bool here) const {
   const int mine = here;
   int any = mine;
@@ -206,7 +206,7 @@ void RunPlanar::run(int steps) {
   report(update->ntimestep - first);
 }
 
-/// What the engine did, for whoever wonders about skins, looks or ranks.
+/// Writes what the engine did, for whoever wonders about skins, observed steps or ranks.
 void RunPlanar::report(bigint steps) const {
   const double mine[] = {static_cast<double>(done_.steps), static_cast<double>(done_.listings),
                          static_cast<double>(done_.ghosts), static_cast<double>(done_.sent)};
@@ -227,15 +227,15 @@ void RunPlanar::report(bigint steps) const {
 
 void RunPlanar::run_until(bigint last) {
   while (update->ntimestep < last) {
-    const bigint look = std::min(last, next_look());
-    const bigint quiet = look - update->ntimestep - 1;
-    bigint seen = look - update->ntimestep;
-    if (quiet >= fewest_steps && bodies_->n_body_all() > 0) {
-      run_engine(quiet);
+    const bigint observed = std::min(last, next_observed_step());
+    const bigint unobserved = observed - update->ntimestep - 1;
+    bigint of_liggghts = observed - update->ntimestep;
+    if (unobserved >= fewest_steps && bodies_->n_body_all() > 0) {
+      run_engine(unobserved);
       if (anywhere(quits())) return;
-      seen = 1;  // the look; or the step in which bodies change their rank
+      of_liggghts = 1;  // the observed step, or that in which bodies change their rank
     }
-    Verlet::run(static_cast<int>(seen));
+    Verlet::run(static_cast<int>(of_liggghts));
     if (anywhere(quits())) return;
   }
 }
@@ -243,7 +243,7 @@ void RunPlanar::run_until(bigint last) {
 void RunPlanar::run_engine(bigint steps) {
   timer->stamp();
   take_over();
-  const bigint chunk = 1000;  // between two looks for an interrupt
+  const bigint chunk = 1000;  // steps between two checks for an interrupt
   bigint done = 0;
   try {
     while (done < steps &&
@@ -267,8 +267,8 @@ void RunPlanar::run_engine(bigint steps) {
   timer->stamp(TIME_COMM);
 }
 
-/// The bodies of this rank in an order of their places and tags, which a restart keeps, and their
-/// atoms.
+/// Finds the bodies of this rank, in an order that follows from their positions and tags, so that a
+/// restart keeps it, and the atoms of each.
 void RunPlanar::find_bodies() {
   owners_.renew(*bodies_);
   const int bodies = bodies_->n_body();
@@ -281,7 +281,7 @@ void RunPlanar::find_bodies() {
     places.push_back({x[0], x[1], tag_of(body)});
     reach = std::max(reach, bodies_->data().r_bound(body));
   }
-  // Those next to other ranks last: they wait for messages.
+  // Bodies next to other ranks come last, since they wait for messages.
   order_ = rodpack::order_by_place(places, 2.0 * reach, comm->nprocs > 1);
   std::vector<int> place(bodies);
   for (int k = 0; k < bodies; ++k) place[order_[k]] = k;
@@ -340,7 +340,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
     gravity_->get_gravity(acceleration);
     std::copy(acceleration, acceleration + 2, settings.gravity);
   }
-  // the smallest radius and the thinnest parts of the box, times -1; the largest radius
+  // The smallest radius and the narrowest sub-box, times -1, and the largest radius.
   double largest[4] = {-1e300, -(domain->subhi[0] - domain->sublo[0]),
                        -(domain->subhi[1] - domain->sublo[1]), 0.0};
   for (const rodpack::PlanarBody& body : bodies) {
@@ -349,7 +349,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   }
   ranks_->largest(largest, 4);
   settings.instructions = instructions_;
-  // so that what parts is still listed where LIGGGHTS would follow it
+  // So that a pair that parts is listed for as long as LIGGGHTS's models are told of it.
   const double least = (settings.close_factor - 1.0) * largest[3];
   if (min_skin_ > 0.0 && min_skin_ < least) {
     char text[160];
@@ -369,26 +369,25 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   return settings;
 }
 
-/// The contacts of the bodies of this rank, wherever LIGGGHTS has them.
+/// The contacts of the bodies of this rank, whichever rank's lists LIGGGHTS has them in.
 std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
   std::vector<PlanarContactRecord> records = contacts_.read(owners_);
-  struct Place {
+  struct TaggedSphere {
     int tag, body, sphere;
   };
-  const auto before = [](const Place& a, const Place& b) { return a.tag < b.tag; };
-  std::vector<Place> first, places;  // spheres of each body; of all
+  const auto before = [](const TaggedSphere& a, const TaggedSphere& b) { return a.tag < b.tag; };
+  std::vector<TaggedSphere> first, all;  // the first sphere of each body; all spheres
   for (int body = 0; body < scene_->size_with_ghosts(); ++body)
     if (scene_->spheres(body) > 0) first.push_back({scene_->sphere_tag(body, 0), body, 0});
   std::sort(first.begin(), first.end(), before);
-  places.reserve(first.empty() ? 0 : first.size() * scene_->spheres(first[0].body));
-  for (const Place& at : first)
+  all.reserve(first.empty() ? 0 : first.size() * scene_->spheres(first[0].body));
+  for (const TaggedSphere& at : first)
     for (int sphere = 0; sphere < scene_->spheres(at.body); ++sphere)
-      places.push_back({scene_->sphere_tag(at.body, sphere), at.body, sphere});
-  if (!std::is_sorted(places.begin(), places.end(), before))
-    std::sort(places.begin(), places.end(), before);
-  const auto place_of = [&](int tag) -> const Place& {
-    const auto found = std::lower_bound(places.begin(), places.end(), Place{tag, 0, 0}, before);
-    if (found == places.end() || found->tag != tag)
+      all.push_back({scene_->sphere_tag(at.body, sphere), at.body, sphere});
+  if (!std::is_sorted(all.begin(), all.end(), before)) std::sort(all.begin(), all.end(), before);
+  const auto sphere_of = [&](int tag) -> const TaggedSphere& {
+    const auto found = std::lower_bound(all.begin(), all.end(), TaggedSphere{tag, 0, 0}, before);
+    if (found == all.end() || found->tag != tag)
       refuse_one("a contact of atom " + std::to_string(tag) +
                  " is on a rank that does not know it");
     return *found;
@@ -398,13 +397,13 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
   for (const PlanarContactRecord& record : records) {
     contacts.push_back(record.state);
     rodpack::PlanarContactState& contact = contacts.back();
-    const Place& i = place_of(record.atom);
+    const TaggedSphere& i = sphere_of(record.atom);
     contact.body_i = i.body;
     contact.sphere_i = i.sphere;
     contact.body_j = record.partner;
     contact.sphere_j = 0;
     if (record.partner < 0) continue;
-    const Place& j = place_of(record.partner);
+    const TaggedSphere& j = sphere_of(record.partner);
     contact.body_j = j.body;
     contact.sphere_j = j.sphere;
   }
@@ -424,14 +423,14 @@ void RunPlanar::take_over() {
   }
 }
 
-/// The contacts of the atoms of this rank, as each of them sees it.
+/// The contacts of the atoms of this rank, each as its atom sees it.
 std::vector<PlanarContactRecord> RunPlanar::contacts_of_atoms() const {
   std::vector<std::vector<PlanarContactRecord> > records(comm->nprocs);
   const std::vector<rodpack::PlanarContactState> contacts = scene_->contacts();
   records[comm->me].reserve(2 * contacts.size());
   for (const rodpack::PlanarContactState& contact : contacts) {
     const auto send = [&](int body, int sphere, int partner, double sign) {
-      if (body >= scene_->size()) return;  // its own rank does
+      if (body >= scene_->size()) return;  // a ghost: its own rank sends it
       const int i = atoms_[body][sphere];
       records[owners_.of_atom(i)].push_back(
           {atom->tag[i], partner, {sign * contact.normal[0], sign * contact.normal[1]}, contact});
@@ -446,7 +445,8 @@ std::vector<PlanarContactRecord> RunPlanar::contacts_of_atoms() const {
   return exchange_records(world, std::move(records));
 }
 
-/// As in a step of Verlet, between pre_exchange() of the fixes and the forces.
+/// Exchanges atoms and builds new lists, as a step of Verlet does between pre_exchange() of the
+/// fixes and the forces.
 void RunPlanar::exchange_and_list() {
   domain->pbc();
   if (domain->box_change) {

@@ -21,11 +21,13 @@ IntegrateStyle(verlet/planar,RunPlanar)
 
 namespace LAMMPS_NS {
 
-/// Runs a planar scene of rigid bodies in an engine of its own (rodpack/planar_scene.h) wherever
-/// nobody looks: between two steps of output, insertion or a fix that acts at the end of a step,
-/// the bodies and contacts are taken from LIGGGHTS and given back in the step before. The step that
-/// somebody sees is LIGGGHTS's own, with everything that belongs to it. Each rank runs the bodies
-/// that fix multisphere has there.
+/// run_style verlet/planar: runs a planar scene of rigid bodies in the planar engine
+/// (rodpack/planar/scene.h) in all steps that nobody observes.
+///
+/// A step is observed if there is output, insertion, or a fix that acts at its end. Between two
+/// such steps bodies and contacts are taken from LIGGGHTS, and they are given back in the step
+/// before the next observed one, which is LIGGGHTS's own, with everything that belongs to it. Each
+/// rank runs the bodies that fix multisphere keeps there.
 class RunPlanar : public Verlet {
  public:
   RunPlanar(class LAMMPS* lmp, int narg, char** arg);
@@ -42,7 +44,7 @@ class RunPlanar : public Verlet {
   void check_scene();
   void check_fixes() const;
   void find_bodies();
-  bigint next_look() const;
+  bigint next_observed_step() const;
   bool anywhere(bool here) const;
   void run_until(bigint last);
   void report(bigint steps) const;
@@ -67,7 +69,7 @@ class RunPlanar : public Verlet {
   std::vector<std::vector<int> > atoms_;  // of each of them by their tags, ghosts among them
   std::unique_ptr<MpiRanks> ranks_;
   std::unique_ptr<rodpack::PlanarScene> scene_;
-  rodpack::PlanarScene::Statistics done_;  // in this run, by this rank
+  rodpack::PlanarScene::Statistics done_;  // what the engine did in this run on this rank
 };
 
 }  // namespace LAMMPS_NS

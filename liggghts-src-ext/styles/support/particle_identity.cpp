@@ -45,7 +45,7 @@ int ParticleIdentity::largest_id() const {
   return largest;
 }
 
-// Centre of mass of the particle that a sphere belongs to, in the periodic image of that sphere.
+/// Centre of mass of the particle that a sphere belongs to, in the periodic image of that sphere.
 rodpack::Vector ParticleIdentity::centre_near(int sphere,
                                               const std::vector<rodpack::Vector>& centres) const {
   const double* const x = atom->x[sphere];
