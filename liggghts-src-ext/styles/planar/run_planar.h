@@ -40,24 +40,25 @@ class RunPlanar : public Verlet {
  private:
   [[noreturn]] void refuse(const std::string& what) const;
   [[noreturn]] void refuse_one(const std::string& what) const;
+  void read_options(int narg, char** arg);
   void check();
   void check_scene();
   void check_fixes() const;
-  void find_bodies();
   bigint next_observed_step() const;
   bool anywhere(bool here) const;
   void run_until(bigint last);
   void report(bigint steps) const;
   void run_engine(bigint steps);
-  rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
-  std::vector<rodpack::PlanarBody> take_bodies();
-  std::vector<rodpack::PlanarContactState> take_contacts();
+
+  // to the engine and back (run_planar_transfer.cpp)
   void take_over();
+  void find_bodies();
+  std::vector<rodpack::PlanarBody> take_bodies();
+  rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
+  std::vector<rodpack::PlanarContactState> take_contacts();
+  void give_back();
   std::vector<PlanarContactRecord> contacts_of_atoms() const;
   void exchange_and_list();
-  void give_back();
-
-  void read_options(int narg, char** arg);
 
   double min_skin_, max_skin_;  // m; 0: from the particles
   rodpack::PlanarInstructions instructions_ = rodpack::PlanarInstructions::automatic;
