@@ -18,10 +18,10 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "planar_stop.h"
 #include "primitive_wall.h"
 #include "rodpack/contact/normal_history.h"
 #include "rodpack/contact/tangential_history.h"
-#include "stop_run.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -118,36 +118,33 @@ struct Tangent {
 
 }  // namespace
 
-void PlanarContacts::refuse(const std::string& what) const {
-  stop_run(lmp, "run_style verlet/planar: " + what);
-}
-
 void PlanarContacts::connect() {
   pair_ = static_cast<PairGran*>(force->pair_match("gran", 1));
   if (!pair_ || pair_ != force->pair)
-    refuse(std::string("pair_style gran is needed, not in a hybrid, with ") + needed_models);
+    refuse(lmp, std::string("pair_style gran is needed, not in a hybrid, with ") + needed_models);
   if (!has_known_models(pair_))
-    refuse(std::string("pair_style gran has other models, expected ") + needed_models);
+    refuse(lmp, std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();
   slots_ = (values_ - normal_values - TangentialHistory::size(0)) / 3;
   if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
       values_ != normal_values + TangentialHistory::size(slots_))
-    refuse("pair_style gran keeps other values in the history of contacts");
+    refuse(lmp, "pair_style gran keeps other values in the history of contacts");
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
     const std::string name = std::string("fix ") + wall->style + " (id " + wall->id + ") ";
-    if (!has_known_models(wall)) refuse(name + "has other models, expected " + needed_models);
+    if (!has_known_models(wall)) refuse(lmp, name + "has other models, expected " + needed_models);
     rodpack::PlanarWall plane;
     if (wall->is_mesh_wall() || !wall->primitiveWall() || !plane_of(wall, plane))
-      refuse(name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
-    if (wall->is_moving()) refuse(name + "moves ('shear'), expected a wall at rest");
-    if (wall->igroup != 0) refuse(name + "acts on a group, expected all");
+      refuse(lmp, name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
+    if (wall->is_moving()) refuse(lmp, name + "moves ('shear'), expected a wall at rest");
+    if (wall->igroup != 0) refuse(lmp, name + "acts on a group, expected all");
     if (wall->heattransfer_flag() || wall->store_force_contact() ||
         wall->store_force_contact_stress() || wall->store_sum_normal_force())
-      refuse(name + "stores values of contacts or transfers heat, which the engine does not");
+      refuse(lmp, name + "stores values of contacts or transfers heat, which the engine does not");
     if (wall->dnum() != values_)
-      refuse(name + "has another history than pair_style gran: give both the same multistepOrder");
+      refuse(lmp,
+             name + "has another history than pair_style gran: give both the same multistepOrder");
     walls_.push_back(wall);
   }
 }
@@ -159,7 +156,7 @@ std::vector<rodpack::PlanarLaw> PlanarContacts::laws() const {
   std::vector<rodpack::PlanarLaw> laws(types * types);
   for (int k = 0; k < 5; ++k) {
     FixPropertyGlobal* property = static_cast<FixPropertyGlobal*>(modify->find_fix_property(
-        names[k], "property/global", "peratomtypepair", types, types, "run_style verlet/planar"));
+        names[k], "property/global", "peratomtypepair", types, types, planar_run_style));
     for (int pair = 0; pair < types * types; ++pair) {
       rodpack::PlanarLaw& law = laws[pair];
       double* const values[] = {&law.kn, &law.kt, &law.eta_n, &law.eta_t, &law.friction};
@@ -261,9 +258,8 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
 int PlanarContacts::local_atom(int tag) const {
   const int i = atom->map(tag);
   if (i < 0 || i >= atom->nlocal || atom->tag[i] != tag)
-    stop_run_from_one_rank(lmp, "run_style verlet/planar: a contact of atom " +
-                                    std::to_string(tag) +
-                                    " has come to another rank than the atom");
+    refuse_from_one_rank(lmp, "a contact of atom " + std::to_string(tag) +
+                                  " has come to another rank than the atom");
   return i;
 }
 
@@ -309,8 +305,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
     Record(list->listgranhistory->firstdouble[i] + values_ * jj, slots_)
         .write(contact.state, Tangent(contact.normal[0], contact.normal[1]), now);
   }
-  if (missing != 0)
-    stop_run_from_one_rank(lmp, "run_style verlet/planar: a contact is not in the neighbour list");
+  if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
 
 void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
@@ -325,8 +320,7 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
   for (int i = 0; i < atom->nlocal; ++i) {
     most = std::max(most, counts[i]);
     if (!HistoryAccess::allocate(histories, i, counts[i]))
-      stop_run_from_one_rank(
-          lmp, "run_style verlet/planar: contact history overflow, boost neigh_modify one");
+      refuse_from_one_rank(lmp, "contact history overflow, boost neigh_modify one");
   }
   // Room for what an atom takes along when it changes its rank.
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);

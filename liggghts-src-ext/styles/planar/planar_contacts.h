@@ -2,7 +2,6 @@
 #ifndef LMP_PLANAR_CONTACTS_H
 #define LMP_PLANAR_CONTACTS_H
 
-#include <string>
 #include <vector>
 #include "planar_owners.h"
 #include "pointers.h"
@@ -44,7 +43,6 @@ class PlanarContacts : protected Pointers {
 
  private:
   struct Record;
-  [[noreturn]] void refuse(const std::string& what) const;
   int local_atom(int tag) const;
   void write_to_walls(const std::vector<PlanarContactRecord>& records) const;
 

@@ -21,9 +21,9 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
+#include "planar_stop.h"
 #include "rodpack/planar/scene.h"
 #include "signal_handling.h"
-#include "stop_run.h"
 #include "style_arguments.h"
 #include "timer.h"
 #include "update.h"
@@ -83,14 +83,14 @@ RunPlanar::RunPlanar(LAMMPS* lmp, int narg, char** arg)
   read_options(narg, arg);
   keep_memory();
   if (comm->me != 0) return;
-  const std::string line = std::string("run_style verlet/planar: processor instructions ") +
+  const std::string line = planar_run_style + std::string(": processor instructions ") +
                            rodpack::name_of(rodpack::chosen(instructions_)) + "\n";
   for (FILE* out : {screen, logfile})
     if (out) std::fputs(line.c_str(), out);
 }
 
 void RunPlanar::read_options(int narg, char** arg) {
-  StyleArguments arguments(lmp, "run_style verlet/planar", narg, arg, 0);
+  StyleArguments arguments(lmp, planar_run_style, narg, arg, 0);
   while (arguments.more()) {
     const std::string keyword = arguments.word("", "a keyword");
     if (keyword == "skin" && arguments.left() >= 2) {
@@ -114,10 +114,6 @@ void RunPlanar::read_options(int narg, char** arg) {
 
 RunPlanar::~RunPlanar() = default;
 
-void RunPlanar::refuse(const std::string& what) const {
-  stop_run(lmp, "run_style verlet/planar: " + what);
-}
-
 void RunPlanar::setup() {
   check();
   Verlet::setup();
@@ -126,11 +122,6 @@ void RunPlanar::setup() {
 void RunPlanar::setup_minimal(int flag) {
   check();
   Verlet::setup_minimal(flag);
-}
-
-/// As refuse(), where the other ranks do not know of it.
-void RunPlanar::refuse_one(const std::string& what) const {
-  stop_run_from_one_rank(lmp, "run_style verlet/planar: " + what);
 }
 
 void RunPlanar::check() {
@@ -143,20 +134,21 @@ void RunPlanar::check() {
 
 void RunPlanar::check_scene() {
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
-    refuse("periodic boundaries are not supported, expected 'boundary f f f'");
-  if (domain->triclinic) refuse("a triclinic box is not supported");
-  if (atom->molecular || force->kspace) refuse("bonds and long-range forces are not supported");
+    refuse(lmp, "periodic boundaries are not supported, expected 'boundary f f f'");
+  if (domain->triclinic) refuse(lmp, "a triclinic box is not supported");
+  if (atom->molecular || force->kspace)
+    refuse(lmp, "bonds and long-range forces are not supported");
   if (NeighborAccess::leaves_out(neighbor))
-    refuse("neigh_modify exclude or include leaves pairs out, expected neither");
+    refuse(lmp, "neigh_modify exclude or include leaves pairs out, expected neither");
   bodies_ = NULL;
   if (modify->n_fixes_style("multisphere") == 1)
     bodies_ = dynamic_cast<FixMultisphereAB*>(modify->find_fix_style("multisphere", 0));
-  if (!bodies_) refuse("the bodies have to be those of one fix multisphere/ab");
+  if (!bodies_) refuse(lmp, "the bodies have to be those of one fix multisphere/ab");
   gravity_ = NULL;
   if (modify->n_fixes_style("gravity") > 0)
     gravity_ = static_cast<FixGravity*>(modify->find_fix_style("gravity", 0));
   if (gravity_ && GravityAccess::varies(gravity_))
-    refuse(std::string("fix gravity (id ") + gravity_->id + ") varies, expected constants");
+    refuse(lmp, std::string("fix gravity (id ") + gravity_->id + ") varies, expected constants");
 }
 
 void RunPlanar::check_fixes() const {
@@ -164,8 +156,8 @@ void RunPlanar::check_fixes() const {
     const Fix& fix = *modify->fix[k];
     if (is_known(fix.style)) continue;
     if ((modify->fmask[k] & every_step()) || fix.time_integrate)
-      refuse(std::string("fix ") + fix.style + " (id " + fix.id +
-             ") acts in every step, which the engine cannot honour");
+      refuse(lmp, std::string("fix ") + fix.style + " (id " + fix.id +
+                      ") acts in every step, which the engine cannot honour");
   }
 }
 
@@ -194,9 +186,9 @@ bool RunPlanar::anywhere(bool here) const {
 }
 
 void RunPlanar::run(int steps) {
-  if (!ranks_) refuse("'run ... pre no' before a run with 'pre yes'");
+  if (!ranks_) refuse(lmp, "'run ... pre no' before a run with 'pre yes'");
   if (!bodies_->planar())
-    refuse("fix multisphere/ab moves in space, expected 'planar yes' or a fix enforce2d");
+    refuse(lmp, "fix multisphere/ab moves in space, expected 'planar yes' or a fix enforce2d");
   const bigint first = update->ntimestep;
   done_ = rodpack::PlanarScene::Statistics();
   run_until(first + steps);
@@ -251,7 +243,7 @@ void RunPlanar::run_engine(bigint steps) {
       if (made < wanted) break;
     }
   } catch (const std::runtime_error& reason) {
-    refuse_one(reason.what());
+    refuse_from_one_rank(lmp, reason.what());
   }
   update->ntimestep += done;
   const rodpack::PlanarScene::Statistics made = scene_->statistics();

@@ -11,7 +11,6 @@ IntegrateStyle(verlet/planar,RunPlanar)
 #define LMP_RUN_PLANAR_H
 
 #include <memory>
-#include <string>
 #include <vector>
 #include "mpi_ranks.h"
 #include "planar_contacts.h"
@@ -38,8 +37,6 @@ class RunPlanar : public Verlet {
   void run(int steps) override;
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const;
-  [[noreturn]] void refuse_one(const std::string& what) const;
   void read_options(int narg, char** arg);
   void check();
   void check_scene();

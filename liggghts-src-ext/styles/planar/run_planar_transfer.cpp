@@ -14,6 +14,7 @@
 #include "modify.h"
 #include "multisphere.h"
 #include "neighbor.h"
+#include "planar_stop.h"
 #include "rodpack/geometry/order_by_place.h"
 #include "rodpack/planar/scene.h"
 #include "run_planar.h"
@@ -45,17 +46,17 @@ void RunPlanar::find_bodies() {
     if (body >= 0)
       atoms_[place[body]].push_back(i);
     else if (i < atom->nlocal && (tag < 0 || owners_.of_body(i) < 0 || comm->nprocs == 1))
-      refuse_one("atom " + std::to_string(atom->tag[i]) +
-                 " belongs to no body of fix multisphere/ab");
+      refuse_from_one_rank(lmp, "atom " + std::to_string(atom->tag[i]) +
+                                    " belongs to no body of fix multisphere/ab");
   }
   for (int k = 0; k < bodies; ++k) {
     std::sort(atoms_[k].begin(), atoms_[k].end(),
               [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
     const int expected = bodies_->data().nrigid(order_[k]);
     if (static_cast<int>(atoms_[k].size()) != expected)
-      refuse_one("body " + std::to_string(tag_of(order_[k])) + " has " +
-                 std::to_string(atoms_[k].size()) + " spheres on its rank, expected " +
-                 std::to_string(expected));
+      refuse_from_one_rank(lmp, "body " + std::to_string(tag_of(order_[k])) + " has " +
+                                    std::to_string(atoms_[k].size()) +
+                                    " spheres on its rank, expected " + std::to_string(expected));
   }
 }
 
@@ -74,7 +75,7 @@ std::vector<rodpack::PlanarBody> RunPlanar::take_bodies() {
     if (z[0] + z[1] <= 1e-9 * bodies[k].radius) continue;
     char planes[128];
     std::snprintf(planes, sizeof planes, "spheres lie in planes from z = %g to %g m", -z[1], z[0]);
-    refuse_one(std::string(planes) + ", expected one plane z = const");
+    refuse_from_one_rank(lmp, std::string(planes) + ", expected one plane z = const");
   }
   return bodies;
 }
@@ -112,7 +113,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
         "skin is at least %g m, expected %g m or more: the contact distance factor less 1 "
         "times the largest radius",
         min_skin_, least);
-    refuse(text);
+    refuse(lmp, text);
   }
   settings.min_skin = min_skin_ > 0.0 ? min_skin_ : std::max(-0.06 * largest[0], least);
   settings.max_skin = max_skin_ > 0.0 ? max_skin_ : std::max(-0.6 * largest[0], settings.min_skin);
@@ -142,8 +143,8 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
   const auto sphere_of = [&](int tag) -> const TaggedSphere& {
     const auto found = std::lower_bound(all.begin(), all.end(), TaggedSphere{tag, 0, 0}, before);
     if (found == all.end() || found->tag != tag)
-      refuse_one("a contact of atom " + std::to_string(tag) +
-                 " is on a rank that does not know it");
+      refuse_from_one_rank(
+          lmp, "a contact of atom " + std::to_string(tag) + " is on a rank that does not know it");
     return *found;
   };
   std::vector<rodpack::PlanarContactState> contacts;
@@ -173,7 +174,7 @@ void RunPlanar::take_over() {
     }
     scene_->set_contacts(take_contacts());
   } catch (const std::invalid_argument& reason) {
-    refuse_one(reason.what());
+    refuse_from_one_rank(lmp, reason.what());
   }
 }
 
