@@ -74,7 +74,7 @@ void FixWallGranSolid::pre_force(int vflag) {
     if (depth(i) > -neighbor->skin) near_.push_back(i);
 }
 
-/// As that of wall/gran, with a distance that is negative behind the plane.
+/// Does what wall/gran does, with a distance that is negative behind the plane.
 void FixWallGranSolid::post_force_primitive(int) {
   double** const histories = dnum() > 0 ? fix_history_primitive_->array_atom : NULL;
   double at_rest[] = {0.0, 0.0, 0.0};

@@ -16,7 +16,7 @@ namespace {
 
 bool share(double value) { return value > 0.0 && value < 1.0; }
 
-// As read, before one setting is held against another.
+// The settings as they are read, before one is held against another.
 struct Words {
   double scale = 0.0;
   double spacing = 0.0;

@@ -38,7 +38,7 @@ void TableDump::init_style() {
   if (!multifile) openfile();
 }
 
-// As Dump::openfile, which has room for 115 characters of a compressed file's name only.
+// Replaces Dump::openfile, which has room for 115 characters of a compressed file's name only.
 void TableDump::openfile() {
   if (singlefile_opened) return;
   if (!multifile) singlefile_opened = 1;

@@ -71,7 +71,7 @@ void FixInsertLine::init() {
     stop_run(lmp, *this, "fall needs a fix gravity or keyword gravity");
 }
 
-// Not in init(), where a fix gravity defined later does not know its direction yet.
+// This is not done in init(), where a fix gravity defined later does not know its direction yet.
 void FixInsertLine::setup(int) {
   const bigint now = update->ntimestep;
   if (anchor_step_ < 0) {
@@ -126,7 +126,7 @@ std::vector<FixInsertLine::Draw> FixInsertLine::draw_line() {
 
   std::vector<Draw> line;
   for (int i = 0; i < n; ++i) {
-    // drawn without putting back, so that the fractions are met exactly at the end
+    // Drawn without putting back, so that the fractions are met exactly at the end.
     int sum = 0;
     for (int number : left) sum += number;
     double choice = random_->uniform() * sum;
@@ -149,8 +149,9 @@ std::vector<FixInsertLine::Draw> FixInsertLine::draw_line() {
   return line;
 }
 
-/// Half-open sub-domains, those at the edge of the box open outwards: exactly one rank owns a
-/// point, also one outside a shrink-wrapped box.
+/// Whether this rank owns the point x. Sub-domains are half-open, and those at the edge of the box
+/// reach outwards without end, so that exactly one rank owns a point, also one outside a
+/// shrink-wrapped box.
 bool FixInsertLine::mine(const double* x) const {
   for (int d = 0; d < 3; ++d) {
     if (x[d] < domain->sublo[d] && comm->myloc[d] > 0) return false;
@@ -293,7 +294,7 @@ void FixInsertLine::create(const std::vector<Draw>& line, const std::vector<Sphe
     data.prop()
         .getElementProperty<ScalarContainer<int>>("id_multisphere")
         ->set(data.n_body() - 1, body);
-    // fix multisphere keeps its spheres' bodies there; its extract() would talk to the other ranks
+    // There fix multisphere keeps the bodies of its spheres; its extract() would need all ranks.
     for (int i = first; i < atom->nlocal; ++i) atom->molecule[i] = body;
   }
   atom->natoms += static_cast<bigint>(spheres.size());

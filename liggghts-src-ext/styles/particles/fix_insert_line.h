@@ -40,7 +40,7 @@ class FixInsertLine : public Fix {
   void write_restart(FILE* file);
   void restart(char* buffer);
 
-  // LIGGGHTS sizes its cutoffs and material tables from these before a particle exists
+  // LIGGGHTS sizes its cutoffs and material tables from these before a particle exists.
   int min_type();
   int max_type();
   double min_rad(int type);
@@ -87,7 +87,7 @@ class FixInsertLine : public Fix {
   std::unique_ptr<Irregular> irregular_;
   FixMultisphere* multisphere_ = NULL;
 
-  // state; line k starts at anchor_time_ + (step - anchor_step_) dt = k intervals since the first
+  // State. Line k starts at anchor_time_ + (step - anchor_step_) dt = k intervals after the first.
   int lines_ = 0, inserted_ = 0;
   double mass_inserted_ = 0;
   bigint anchor_step_ = -1, last_line_step_ = -1;

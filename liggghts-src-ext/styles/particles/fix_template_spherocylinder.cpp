@@ -46,7 +46,7 @@ class FixTemplateSpherocylinder::StockArguments {
  public:
   StockArguments(char** own, const SpherocylinderOptions& options) {
     const Spherocylinder nominal = options.particle(options.shape.nominal_diameter);
-    // the stock style refuses a single sphere: declare two and shrink to one afterwards
+    // The stock style refuses a single sphere: two are declared, and later shrink to one.
     const bool single = nominal.centres.size() == 1;
     words_ = {own[0],
               own[1],
@@ -135,7 +135,7 @@ void FixTemplateSpherocylinder::post_create() {
 }
 
 void FixTemplateSpherocylinder::init() {
-  // LIGGGHTS keeps one table over the body types of all multisphere templates, stock and ours
+  // LIGGGHTS keeps one table over the body types of all multisphere templates, stock and ours.
   const char* family = "particletemplate/multisphere";
   const int n = modify->n_fixes_style(family);
   std::vector<int> uses(n + 1, 0);

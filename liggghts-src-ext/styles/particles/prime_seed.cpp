@@ -14,7 +14,7 @@ std::string prime_seed(int seed) {
   mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9ULL;
   mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebULL;
   mixed ^= mixed >> 31;
-  // LIGGGHTS adds the rank to the seed of some generators: room for that below INT_MAX
+  // LIGGGHTS adds the rank to the seed of some generators, which has to stay below INT_MAX.
   int prime = 10007 + static_cast<int>(mixed % (INT_MAX - 20000000));
   while (!MathExtraLiggghts::isPrime(prime)) ++prime;
   return std::to_string(prime);

@@ -98,7 +98,7 @@ Spherocylinder SpherocylinderOptions::particle(double diameter) const {
   Spherocylinder one;
   one.shape = shape;
   one.shape.diameter = diameter;
-  // given numbers say nothing about where the centre of mass lies: that of the reference particle
+  // Given numbers say nothing about where the centre of mass lies: it is that of the reference.
   const auto rule = mass_rule == Mass::own ? rodpack::MassRule::own : rodpack::MassRule::reference;
   one.centres = rodpack::sphere_centres(one.shape, rule);
   one.mass = mass_rule == Mass::given
