@@ -103,15 +103,15 @@ bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
 
 /// The tangent t = z x n of a contact in the plane, along which the engine keeps as one number what
 /// LIGGGHTS's models keep as a vector.
-struct Tangent {
-  double direction[2];
-  Tangent(double nx, double ny) : direction{-ny, nx} {}
+struct Frame {
+  double tangent[2];
+  Frame(double nx, double ny) : tangent{-ny, nx} {}
   double along(const double* vector) const {
-    return vector[0] * direction[0] + vector[1] * direction[1];
+    return vector[0] * tangent[0] + vector[1] * tangent[1];
   }
   void set(double component, double* vector) const {
-    vector[0] = component * direction[0];
-    vector[1] = component * direction[1];
+    vector[0] = component * tangent[0];
+    vector[1] = component * tangent[1];
     vector[2] = 0.0;
   }
 };
@@ -177,7 +177,7 @@ std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
   return planes;
 }
 
-/// The history that LIGGGHTS keeps of one contact.
+/// What LIGGGHTS keeps of a contact.
 struct PlanarContacts::Record {
   NormalHistory& normal;
   TangentialHistory tangential;
@@ -186,21 +186,21 @@ struct PlanarContacts::Record {
         tangential{values + normal_values, slots} {}
 
   bool lives(double now) const { return tangential.count() != 0.0 && tangential.step() == now; }
-  void read(const Tangent& tangent, PlanarContactState& contact) const {
-    contact.spring = tangent.along(tangential.spring());
+  void read(const Frame& frame, PlanarContactState& contact) const {
+    contact.spring = frame.along(tangential.spring());
     for (int k = 0; k < rodpack::max_multistep_order; ++k)
-      contact.velocity[k] = k < tangential.slots ? tangent.along(tangential.velocity(k)) : 0.0;
+      contact.velocity[k] = k < tangential.slots ? frame.along(tangential.velocity(k)) : 0.0;
     contact.count = static_cast<int>(tangential.count());
     contact.since = tangential.since();
     contact.uncut = normal.uncut;
     contact.touch_rate = normal.touch_rate;
     contact.fresh = normal.fresh != 0.0;
   }
-  void write(const PlanarContactState& contact, const Tangent& tangent, double now) const {
-    tangent.set(contact.spring, tangential.spring());
+  void write(const PlanarContactState& contact, const Frame& frame, double now) const {
+    frame.set(contact.spring, tangential.spring());
     for (int k = 0; k < tangential.slots; ++k)
-      tangent.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
-                  tangential.velocity(k));
+      frame.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
+                tangential.velocity(k));
     tangential.count() = contact.count;
     tangential.step() = now;
     tangential.since() = contact.since;
@@ -234,7 +234,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.atom = atom->tag[i];
       contact.partner = atom->tag[j];
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
-      record.read(Tangent(dx / r, dy / r), contact.state);
+      record.read(Frame(dx / r, dy / r), contact.state);
       send(contact, i);
       if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
     }
@@ -249,7 +249,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.partner = -1 - static_cast<int>(w);
       const int axis = planes[w].axis;
       const double side = planes[w].side_of(x[i][axis] - planes[w].position);
-      record.read(Tangent(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
+      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
       send(contact, i);
     }
   return exchange_records(world, std::move(contacts));
@@ -271,7 +271,7 @@ void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& reco
   for (const PlanarContactRecord& contact : records)
     if (contact.partner < 0)
       Record(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)], slots_)
-          .write(contact.state, Tangent(contact.normal[0], contact.normal[1]), now);
+          .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
 }
 
 void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
@@ -303,7 +303,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
     if (!is_there) continue;
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
     Record(list->listgranhistory->firstdouble[i] + values_ * jj, slots_)
-        .write(contact.state, Tangent(contact.normal[0], contact.normal[1]), now);
+        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
   }
   if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
@@ -330,7 +330,7 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
     HistoryAccess::partners(histories, i)[place] = contact.partner;
     double* const values = histories->contacthistory(i, place);
     std::fill_n(values, values_, 0.0);
-    Record(values, slots_).write(contact.state, Tangent(contact.normal[0], contact.normal[1]), now);
+    Record(values, slots_).write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
   }
 }
 
