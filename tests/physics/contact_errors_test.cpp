@@ -79,6 +79,8 @@ TEST(ContactErrors, ComputesAndDumps) {
   expect_error(small_deck(ours, "compute c all contact/overlap"), {},
                "the largest overlap allowed");
   expect_error(small_deck(ours, "compute c all contact/overlap 0"), {}, "overlap is 0");
+  expect_error(small_deck(ours, "compute c all contact/overlap 1e-4m"), {},
+               "Compute contact/overlap (id c): overlap is 1e-4m, expected a length > 0");
   expect_error(small_deck(ours, "compute c all contact/energy all"), {}, "unknown keyword all");
   expect_error(small_deck(ours, "compute c all multisphere/ke x"), {}, "unknown keyword x");
   expect_error(small_deck(ours, "group g id 1\ncompute c g contact/energy"), {},
@@ -110,6 +112,10 @@ TEST(ContactErrors, Halt) {
   expect_error(halt("10 v_one < 1 message maybe"), {}, "message is maybe");
   expect_error(halt("10 v_one < 1 hold -1"), {}, "hold is -1");
   expect_error(halt("10 v_one < 1 after 5"), {}, "unknown keyword after");
+  // LIGGGHTS's own reader would take the leading digits of these.
+  expect_error(halt("ten v_one < 1"), {}, "N is ten, expected N > 0");
+  expect_error(halt("10 v_one < 1x"), {}, "value is 1x, expected a number");
+  expect_error(halt("10 v_one < 1 start 1e3"), {}, "start is 1e3, expected a step >= 0");
 }
 
 // Other models may stand beside ours, whichever is stock: they share stiffness and damping.

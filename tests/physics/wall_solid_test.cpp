@@ -127,4 +127,6 @@ TEST(SolidWall, WrongInputIsNamed) {
   EXPECT_THAT(output_of("bound ${bound}", "bound"), HasSubstr("got 'nothing'"));
   EXPECT_THAT(output_of("yplane ${plane}", "zcylinder 0.05 0 0"), HasSubstr("got 'zcylinder'"));
   EXPECT_THAT(output_of("bound ${bound}", "bound lo shear x 1"), HasSubstr("'shear'"));
+  EXPECT_THAT(output_of("yplane ${plane}", "yplane low"),
+              HasSubstr("position of the plane must be a number in m, got 'low'"));
 }
