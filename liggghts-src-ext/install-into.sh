@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Usage: install-into.sh [--update] LIGGGHTS/src
 # Copies our styles and the core they need, flat, into a LIGGGHTS-PUBLIC 3.8.0 source folder.
-# A file there that differs from ours is left alone and stops the script; --update replaces it.
+# A file there that differs from ours is left alone and stops the script; --update replaces it, and
+# takes out what an earlier version of ours has put under other names.
 set -eu
 ext=$(cd "$(dirname "$0")" && pwd)
 
@@ -74,8 +75,15 @@ copy() {
   fi
 }
 
-twice=$(for_each_file print_place | sort | uniq -d)
+places=$(for_each_file print_place | sort)
+twice=$(echo "$places" | uniq -d)
 [ -z "$twice" ] || fail "two of our files have one place there: $twice"
+for file in "$src"/rodpack_*.cpp "$src"/rodpack/*.h "$src"/rodpack/*/*.h; do
+  if [ ! -e "$file" ] || echo "$places" | grep -qxF "$file"; then continue; fi
+  [ "$update" = yes ] || fail "$file is of another version of ours; --update removes it"
+  rm "$file"
+  echo "removed $file"
+done
 [ "$update" = yes ] || for_each_file refuse_different
 for_each_file copy
 

@@ -64,6 +64,13 @@ grep -q 'rodpack/geometry/chain_geometry.h exists and differs' refusal || fail "
 grep -qx '// mine' rodpack/geometry/chain_geometry.h || fail "overwrote a file that differs"
 "$ext/install-into.sh" --update . | grep -q '^replaced' || fail "--update did not replace"
 
+# What another version has left would be compiled beside what took its place.
+touch rodpack_line_rule.cpp
+if "$ext/install-into.sh" . 2> refusal; then fail "left a source of another version"; fi
+grep -q 'rodpack_line_rule.cpp is of another version' refusal || fail "refusal: $(cat refusal)"
+"$ext/install-into.sh" --update . | grep -qx 'removed ./rodpack_line_rule.cpp' ||
+  fail "--update did not remove a source of another version"
+
 echo 3.7.0 > version_liggghts.txt
 if "$ext/install-into.sh" . 2> refusal; then fail "took version 3.7.0"; fi
 grep -q 'is version 3.7.0, expected 3.8.0' refusal || fail "refusal: $(cat refusal)"
