@@ -101,8 +101,7 @@ bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   return false;
 }
 
-/// The tangent t = z x n of a contact in the plane, along which the engine keeps as one number what
-/// LIGGGHTS's models keep as a vector.
+/// History of one contact, as the models of LIGGGHTS keep it, along the tangent z x n.
 struct Frame {
   double tangent[2];
   Frame(double nx, double ny) : tangent{-ny, nx} {}
