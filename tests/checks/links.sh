@@ -8,8 +8,9 @@
 set -eu
 cd "${1:-.}"
 
+# Build trees and results are nobody's pages.
 pages() {
-  git ls-files --cached --others --exclude-standard -- '*.md'
+  find . -name '*.md' ! -path './build*' ! -path './results/*' ! -path './.*/*' | sed 's|^\./||' | sort
 }
 
 # Lines of a page outside of fenced blocks, without code in backticks; each with its number.
@@ -36,6 +37,10 @@ anchors() {
     sed 's/[–—’²³°·…]//g; s/[][!"#$%&'"'"'()*+,./:;<=>?@\\^`{|}~]//g; s/ /-/g'
 }
 
+if [ -z "$(pages)" ]; then
+  echo "links.sh: no pages in $(pwd), expected the root of the repository" >&2
+  exit 1
+fi
 dead=$(
   pages | while read -r page; do
     links "$page" | while read -r line target; do
