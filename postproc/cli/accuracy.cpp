@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/accuracy.h"
+#include "campaigns/accuracy/accuracy.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
-#include "rodpack/beds.h"
-#include "rodpack/data_error.h"
-#include "rodpack/deck_folder.h"
-#include "rodpack/stability.h"
+#include "cli/commands.h"
+#include "campaigns/beds/beds.h"
+#include "reading/data_error.h"
+#include "campaigns/launch/deck_folder.h"
+#include "campaigns/stability/stability.h"
 
 namespace rodpack::cli {
 namespace {

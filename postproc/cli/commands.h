@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/packing.h"
+#include "reading/packing.h"
 
 namespace rodpack::cli {
 

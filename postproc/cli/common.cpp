@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "commands.h"
-#include "rodpack/text.h"
+#include "cli/commands.h"
+#include "reading/text.h"
 
 namespace rodpack::cli {
 

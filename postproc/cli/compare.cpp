@@ -4,12 +4,12 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
-#include "rodpack/comparison.h"
-#include "rodpack/deck_folder.h"
-#include "rodpack/deck_run.h"
-#include "rodpack/step_timing.h"
-#include "rodpack/text.h"
+#include "cli/commands.h"
+#include "campaigns/comparison/comparison.h"
+#include "campaigns/launch/deck_folder.h"
+#include "campaigns/launch/deck_run.h"
+#include "campaigns/launch/step_timing.h"
+#include "reading/text.h"
 
 namespace rodpack::cli {
 namespace {

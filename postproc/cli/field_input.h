@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "commands.h"
-#include "rodpack/fields.h"
+#include "cli/commands.h"
+#include "analysis/fields.h"
 
 namespace rodpack::cli {
 

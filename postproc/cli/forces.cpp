@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/contact_forces.h"
+#include "analysis/contact_forces.h"
 
 #include <iostream>
 #include <memory>
 #include <optional>
 
-#include "commands.h"
-#include "rodpack/force_chains.h"
-#include "rodpack/render.h"
-#include "rodpack/text.h"
+#include "cli/commands.h"
+#include "analysis/force_chains.h"
+#include "figures/render.h"
+#include "reading/text.h"
 
 namespace rodpack::cli {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/pressure_profile.h"
+#include "analysis/pressure_profile.h"
 
 #include <iostream>
 #include <memory>
 
-#include "field_input.h"
-#include "rodpack/text.h"
+#include "cli/field_input.h"
+#include "reading/text.h"
 
 namespace rodpack::cli {
 

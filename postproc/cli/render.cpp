@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/render.h"
+#include "figures/render.h"
 
 #include <iostream>
 #include <map>
 #include <memory>
 
-#include "commands.h"
+#include "cli/commands.h"
 
 namespace rodpack::cli {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/solid_fraction.h"
+#include "analysis/solid_fraction.h"
 
 #include <iostream>
 #include <memory>
 
-#include "field_input.h"
-#include "rodpack/text.h"
+#include "cli/field_input.h"
+#include "reading/text.h"
 
 namespace rodpack::cli {
 

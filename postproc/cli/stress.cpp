@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "field_input.h"
+#include "cli/field_input.h"
 
 namespace rodpack::cli {
 

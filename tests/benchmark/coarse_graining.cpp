@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/fields.h"
-#include "rodpack/figure.h"
-#include "rodpack/text.h"
+#include "analysis/fields.h"
+#include "figures/figure.h"
+#include "reading/text.h"
 
 namespace {
 using namespace rodpack;

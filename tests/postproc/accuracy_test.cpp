@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/accuracy.h"
+#include "campaigns/accuracy/accuracy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,11 +12,11 @@
 
 #include "../physics/collision_reference.h"
 #include "liggghts_run.h"
-#include "rodpack/accuracy_references.h"
+#include "campaigns/accuracy/accuracy_references.h"
 #include "rodpack/contact/contact_law.h"
-#include "rodpack/data_error.h"
+#include "reading/data_error.h"
 #include "rodpack/geometry/mass_properties.h"
-#include "rodpack/text.h"
+#include "reading/text.h"
 
 namespace {
 

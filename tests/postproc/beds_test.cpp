@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/beds.h"
+#include "campaigns/beds/beds.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "liggghts_run.h"
-#include "rodpack/data_error.h"
+#include "reading/data_error.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/packing.h"
+#include "reading/packing.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "liggghts_run.h"
-#include "rodpack/solid_fraction.h"
+#include "analysis/solid_fraction.h"
 #include "synthetic_packing.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/stability.h"
+#include "campaigns/stability/stability.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "liggghts_run.h"
-#include "rodpack/data_error.h"
+#include "reading/data_error.h"
 
 namespace rodpack {
 namespace {
