@@ -7,16 +7,12 @@
 #include <numeric>
 #include <set>
 
+#include "reading/csv_file.h"
+#include "reading/number_text.h"
 #include "reading/parameters.h"
-#include "reading/text.h"
 
 namespace rodpack {
 namespace {
-
-std::array<const std::vector<double>*, 3> vector_columns(const Frame& frame,
-                                                         const std::array<const char*, 3>& names) {
-  return {&frame.column(names[0]), &frame.column(names[1]), &frame.column(names[2])};
-}
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

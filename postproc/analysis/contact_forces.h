@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_CONTACT_FORCES_H
-#define RODPACK_CONTACT_FORCES_H
+#ifndef RODPACK_ANALYSIS_CONTACT_FORCES_H
+#define RODPACK_ANALYSIS_CONTACT_FORCES_H
 
 #include <map>
 #include <optional>
@@ -86,21 +86,20 @@ class ContactForceSample {
   bool all_particles_known_ = true;
 };
 
-/// One frame. @throws as ContactForceSample.
+/// Measures one frame. @throws as ContactForceSample.
 ContactForces measure_contact_forces(const Frame& contacts, const Frame* bodies,
                                      const ContactForceOptions& options);
 
-/// mu: `given`, else `friction` of parameters.json (at `parameters`, or looked for beside the dump
-/// and one folder up); none if that is missing or 0. @throws DataError when it is negative.
+/// Returns mu: `given`, else `friction` of parameters.json (at `parameters`, or looked for beside
+/// the dump and one folder up); none if that is missing or 0. @throws DataError when it is
+/// negative.
 std::optional<double> find_friction(const std::string& dump, const std::string& parameters,
                                     std::optional<double> given);
 
-/// `stem`.csv: columns f_over_mean, then count, density and standard error of the normal and of the
-/// tangential force; `stem`_friction.csv if mu is known; `stem`_coordination.csv.
+/// Writes CSV tables: `stem`.csv with the columns f_over_mean, then count, density and standard
+/// error of the normal and of the tangential force; `stem`_friction.csv if mu is known;
+/// `stem`_coordination.csv.
 void write_contact_force_tables(const ContactForces& forces, const std::string& stem);
-/// `stem`, `stem`_friction (if mu is known) and `stem`_coordination, each .png and .svg.
-void plot_contact_forces(const ContactForces& forces, const std::string& stem);
-
 }  // namespace rodpack
 
 #endif

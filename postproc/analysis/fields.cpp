@@ -7,8 +7,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 #include "rodpack/vtk/field_image.h"
-#include "reading/text.h"
 
 namespace rodpack {
 namespace {

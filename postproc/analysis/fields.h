@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_FIELDS_H
-#define RODPACK_FIELDS_H
+#ifndef RODPACK_ANALYSIS_FIELDS_H
+#define RODPACK_ANALYSIS_FIELDS_H
 
 #include <array>
 #include <memory>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/averaging/coarse_graining.h"
 #include "reading/packing.h"
+#include "rodpack/averaging/coarse_graining.h"
 
 namespace rodpack {
 
@@ -24,17 +24,18 @@ struct FieldOptions {
   bool couple_stress = false;
 };
 
-/// Scale w of the averaging, m. @throws DataError when it is not positive.
+/// Returns the scale w of the averaging, m. @throws DataError when it is not positive.
 double averaging_scale(const Packing& packing, const FieldOptions& options);
 
-/// Rows of a contacts dump (body_i body_j wall x y z fx fy fz bix biy biz bjx bjy bjz).
+/// Reads the rows of a contacts dump (body_i body_j wall x y z fx fy fz bix biy biz bjx bjy bjz).
 /// @throws DataError when a column is missing.
 std::vector<Contact> read_contacts(const Frame& contacts);
 
-/// Rows of a bodies dump (id x y z vx vy vz area mass); how many others each touches from `pairs`.
+/// Reads the rows of a bodies dump (id x y z vx vy vz area mass); how many others each touches from
+/// `pairs`.
 std::vector<Particle> read_particles(const Frame& bodies, const std::vector<TouchingPair>& pairs);
 
-/// Kernel, line rule and periods for a two-dimensional packing.
+/// Choose kernel, line rule and periods for a two-dimensional packing.
 AveragingKernel averaging_kernel(const Packing& packing, const FieldOptions& options);
 CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptions& options);
 
@@ -61,7 +62,7 @@ class FieldSample {
   int frames_ = 0;
 };
 
-/// The field of that name.
+/// Finds the field of that name. @throws std::out_of_range when there is none.
 const Field& field_named(const std::vector<Field>& fields, const std::string& name);
 
 /// Principal values of the symmetric part of a plane stress, and the direction of the larger one.
@@ -69,19 +70,12 @@ struct PrincipalStress {
   double larger, smaller;  // N/m
   double direction;        // of the larger one, degrees in [0, 180) from the x axis
 };
+/// Computes them from the components, N/m.
 PrincipalStress principal_stress(double xx, double xy, double yx, double yy);
 
-/// `stem`.csv and `stem`.vti. @throws DataError when one cannot be written.
+/// Writes `stem`.csv and `stem`.vti; `time_s`: s. @throws DataError when one cannot be written.
 void write_fields(const CoarseGraining& averages, const std::vector<Field>& fields, double time_s,
                   const std::string& stem);
-
-/// Map of the pressure (sigma_1 + sigma_2) / 2 of the contact stress with crosses along the
-/// principal directions, arms as long as the principal values: `stem`.png and `stem`.svg.
-void plot_pressure_map(const CoarseGraining& averages, const std::vector<Field>& fields,
-                       const Packing& packing, const std::string& stem);
-/// Map of the solid fraction.
-void plot_solid_fraction_map(const CoarseGraining& averages, const std::vector<Field>& fields,
-                             const Packing& packing, const std::string& stem);
 
 }  // namespace rodpack
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_FORCE_CHAINS_H
-#define RODPACK_FORCE_CHAINS_H
+#ifndef RODPACK_ANALYSIS_FORCE_CHAINS_H
+#define RODPACK_ANALYSIS_FORCE_CHAINS_H
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "reading/dump.h"
-#include "reading/packing.h"
 
 namespace rodpack {
 
@@ -19,17 +18,10 @@ struct ForceLine {
   double force;           // magnitude, N
 };
 
-/// One line per touching pair, of a frame with the columns `body_i body_j wall fx fy fz bix biy
-/// bjx bjy nx ny nz`. @throws DataError when a column is missing, TooFewParticles when there are no
-/// contacts.
+/// Sums up one line per touching pair, of a frame with the columns `body_i body_j wall fx fy fz bix
+/// biy bjx bjy nx ny nz`. @throws DataError when a column is missing, TooFewParticles when there
+/// are no contacts.
 std::vector<ForceLine> force_lines(const Frame& contacts);
-
-/// Picture of the force chains: a line per touching pair, width and shade proportional to its force
-/// up to what 99 % of the pairs do not exceed, the strong ones on top; with walls, colour bar and
-/// scale bar: `stem`.svg and `stem`.png. The scale bar counts in d_p too if the options or
-/// parameters.json say what that is. @throws DataError as force_lines(), and when drawing fails.
-void draw_force_chains(const Frame& contacts, const PackingOptions& options,
-                       const std::string& stem);
 
 }  // namespace rodpack
 

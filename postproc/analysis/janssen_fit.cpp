@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/janssen_fit.h"
+
 #include <Eigen/Dense>
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 
-#include "analysis/pressure_profile.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {
@@ -85,6 +86,18 @@ JanssenFit fit_janssen(const PressureProfile& profile) {
   fit.to = deepest;
   fit.saturates = fit.depth < fit.to;
   return fit;
+}
+
+std::string describe(const JanssenFit& fit, double particle_diameter) {
+  if (!fit.saturates)
+    return "the pressure does not saturate within the bed: h_c = " +
+           number_text(fit.depth / particle_diameter, 3) + " d_p is beyond the fitted depth of " +
+           number_text(fit.to / particle_diameter, 3) + " d_p";
+  return "Janssen: P_j = " + number_text(fit.pressure, 4) + " +- " +
+         number_text(fit.pressure_error, 2) +
+         " N/m, h_c = " + number_text(fit.depth / particle_diameter, 4) + " +- " +
+         number_text(fit.depth_error / particle_diameter, 2) + " d_p, rms residual " +
+         number_text(fit.rms_residual, 2) + " N/m";
 }
 
 }  // namespace rodpack

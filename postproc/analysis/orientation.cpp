@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "reading/text.h"
+#include "reading/csv_file.h"
 
 namespace rodpack {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_ORIENTATION_H
-#define RODPACK_ORIENTATION_H
+#ifndef RODPACK_ANALYSIS_ORIENTATION_H
+#define RODPACK_ANALYSIS_ORIENTATION_H
 
 #include <optional>
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace rodpack {
 
-/// gamma of one particle, degrees, counter-clockwise from the horizontal: [0, 180) for a straight
-/// one (no head or tail); [0, 360) for a curved one, 0 where the arc bulges up, 180 where it opens
-/// up. `angle`: direction of the body's x axis, rad; the arc bulges towards the body's +y.
+/// Returns gamma of one particle, degrees, counter-clockwise from the horizontal: [0, 180) for a
+/// straight one (no head or tail); [0, 360) for a curved one, 0 where the arc bulges up, 180 where
+/// it opens up. `angle`: direction of the body's x axis, rad; the arc bulges towards the body's +y.
 double gamma_degrees(double angle, bool curved);
 
 /// Two-dimensional nematic order: S2 exp(2 i director) = < exp(2 i gamma) >.
@@ -21,7 +21,7 @@ struct NematicOrder {
   double standard_error;  // of the mean of cos 2(gamma - director), particles taken as independent
   double director;        // degrees, [0, 180)
 };
-/// @throws TooFewParticles when `gamma` (degrees) is empty.
+/// Measures it. `gamma`: degrees, one per particle. @throws TooFewParticles when there is none.
 NematicOrder nematic_order(const std::vector<double>& gamma);
 
 /// Distribution of gamma over bins of equal width.
@@ -41,9 +41,11 @@ struct OrientationDistribution {
 /// Collects particles over one or several frames.
 class OrientationSample {
  public:
-  /// @throws DataError when straight and curved particles are mixed: their ranges differ.
+  /// Adds the particles of a frame. @throws DataError when straight and curved particles are mixed:
+  /// their ranges differ.
   void add(const Packing& packing);
-  /// `bins` over the whole range. @throws TooFewParticles when no particle is left to count.
+  /// Returns the distribution over so many `bins` of the whole range. @throws TooFewParticles when
+  /// no particle is left to count.
   OrientationDistribution distribution(int bins) const;
 
  private:
@@ -53,13 +55,9 @@ class OrientationSample {
   std::optional<bool> curved_;
 };
 
-/// Columns gamma_deg, count, probability_density_per_deg, standard_error_per_deg.
+/// Writes a CSV table with the columns gamma_deg, count, probability_density_per_deg,
+/// standard_error_per_deg.
 void write_orientation_table(const OrientationDistribution& distribution, const std::string& file);
-/// Histogram over gamma: `stem`.png and `stem`.svg.
-void plot_orientation_linear(const OrientationDistribution& distribution, const std::string& stem);
-/// Rose diagram, sectors of equal angle whose radius is the density: `stem`.png and `stem`.svg.
-void plot_orientation_polar(const OrientationDistribution& distribution, const std::string& stem);
-
 }  // namespace rodpack
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_RDF_H
-#define RODPACK_RDF_H
+#ifndef RODPACK_ANALYSIS_RDF_H
+#define RODPACK_ANALYSIS_RDF_H
 
 #include <string>
 #include <vector>
@@ -44,8 +44,8 @@ struct Rdf {
 class RdfSample {
  public:
   explicit RdfSample(const RdfOptions& options);
-  /// @throws TooFewParticles when fewer than 2 centres are left, DataError when r exceeds half of a
-  /// period.
+  /// Adds the particles of a frame. @throws TooFewParticles when fewer than 2 centres are left,
+  /// DataError when r exceeds half of a period.
   void add(const Packing& packing);
   Rdf result() const;
 
@@ -61,14 +61,12 @@ class RdfSample {
   bool margin_reduced_ = false;
 };
 
-/// Area of the part of a disc (radius r, centre at the origin) with 0 <= x <= a, 0 <= y <= b.
+/// Returns the area of the part of a disc (radius r, centre at the origin) with 0 <= x <= a and
+/// 0 <= y <= b; lengths in one unit, the area in its square.
 double quarter_disc_area(double r, double a, double b);
 
-/// Columns r_over_dp, g, standard_error, pairs.
+/// Writes a CSV table with the columns r_over_dp, g, standard_error, pairs.
 void write_rdf_table(const Rdf& rdf, const std::string& file);
-/// `stem`.png and `stem`.svg.
-void plot_rdf(const Rdf& rdf, const std::string& stem);
-
 }  // namespace rodpack
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_SOLID_FRACTION_H
-#define RODPACK_SOLID_FRACTION_H
+#ifndef RODPACK_ANALYSIS_SOLID_FRACTION_H
+#define RODPACK_ANALYSIS_SOLID_FRACTION_H
 
 #include <optional>
 #include <string>
@@ -24,15 +24,12 @@ struct SolidFraction {
   bool side_distance_kept = false;  // the slice is 3 w away from the side walls, or there are none
 };
 
+/// Measures it for one frame.
 SolidFraction solid_fraction(const Packing& packing);
 
-/// Columns height_over_dp, solid_fraction.
+/// Writes a CSV table with the columns height_over_dp, solid_fraction. `particle_diameter`: d_p, m.
 void write_solid_fraction_table(const SolidFraction& field, double particle_diameter,
                                 const std::string& file);
-/// Profile over the height, the range of the means marked: `stem`.png and `stem`.svg.
-void plot_solid_fraction(const SolidFraction& field, double particle_diameter, double floor,
-                         const std::string& stem);
-
 }  // namespace rodpack
 
 #endif

@@ -6,11 +6,11 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/commands.h"
 #include "campaigns/beds/beds.h"
-#include "reading/data_error.h"
 #include "campaigns/launch/deck_folder.h"
 #include "campaigns/stability/stability.h"
+#include "cli/commands.h"
+#include "reading/data_error.h"
 
 namespace rodpack::cli {
 namespace {

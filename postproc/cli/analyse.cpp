@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "report/analyse.h"
+#include "report/analyse_run.h"
 
 #include <iostream>
 #include <memory>

@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "figures/vtk_export.h"
+#include "reading/parameters.h"
 
 namespace rodpack::cli {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 namespace {

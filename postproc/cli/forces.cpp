@@ -5,10 +5,14 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
 #include "analysis/force_chains.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "figures/contact_forces_figure.h"
+#include "figures/force_chains_figure.h"
 #include "figures/render.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
+#include "reading/packing.h"
 
 namespace rodpack::cli {
 namespace {

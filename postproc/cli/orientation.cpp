@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "reading/text.h"
+#include "cli/input.h"
+#include "figures/orientation_figure.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 

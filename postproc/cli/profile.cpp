@@ -4,8 +4,11 @@
 #include <iostream>
 #include <memory>
 
+#include "analysis/janssen_fit.h"
+#include "cli/commands.h"
 #include "cli/field_input.h"
-#include "reading/text.h"
+#include "figures/profile_figure.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 

@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/input.h"
+#include "reading/packing.h"
 
 namespace rodpack::cli {
 

@@ -4,8 +4,10 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/commands.h"
 #include "cli/field_input.h"
-#include "reading/text.h"
+#include "figures/field_maps.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 

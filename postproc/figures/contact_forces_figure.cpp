@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "figures/contact_forces_figure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "analysis/contact_forces.h"
 #include "figures/figure.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {

@@ -8,7 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "reading/text.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_DRAWING_H
-#define RODPACK_DRAWING_H
+#ifndef RODPACK_FIGURES_DRAWING_H
+#define RODPACK_FIGURES_DRAWING_H
 
 #include <array>
 #include <optional>
@@ -22,28 +22,36 @@ struct ColourScale {
   const std::array<Rgb, 9>* palette = &viridis;
   double tick = 0.5;
 
+  /// Colour of one element, "#rrggbb".
   std::string shade(std::size_t i) const;
 };
 
-/// Scale from 0 for force magnitudes (N, at least one), labelled `what` with a readable unit. Its
-/// top is `largest`, else a round number that 99 % of the values are below.
+/// Makes a scale from 0 for force magnitudes (N, at least one), labelled `what` with a readable
+/// unit. Its top is `largest`, else a round number that 99 % of the values are below.
 ColourScale force_scale(const std::vector<double>& forces, std::optional<double> largest,
                         const std::string& what);
 
-/// What 99 % of `values` (at least one) do not exceed.
+/// Returns what 99 % of `values` (at least one) do not exceed.
 double quantile_99(std::vector<double> values);
 
-/// Writes SVG elements; the drawing's own coordinates are pixels with y down.
+/// Writes SVG elements; coordinates, widths and sizes are in pixels, y points down.
 class Drawing {
  public:
+  /// Straight line between two points; `cap`: how SVG ends it.
   void line(double x1, double y1, double x2, double y2, double width,
             const std::string& colour = "#202020", const std::string& cap = "square");
+  /// Disc; without `fill` in the colour that the drawing has set.
   void circle(double x, double y, double radius, const std::string& fill = "");
+  /// Rectangle from its upper left corner; `attributes`: of SVG, such as its fill.
   void rectangle(double x, double y, double width, double height, const std::string& attributes);
+  /// Text on one line; `anchor`: the end of it that stands at (x, y), as SVG names it.
   void label(double x, double y, double size, const std::string& anchor, const std::string& content,
              const std::string& attributes = "");
+  /// Any element, as it stands.
   void raw(const std::string& element) { text_ += element + "\n"; }
+  /// All that was written.
   const std::string& text() const { return text_; }
+  /// A coordinate, rounded to hundredths of a pixel.
   static std::string at(double value);
 
  private:

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "figures/field_maps.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "figures/palette.h"
-#include "analysis/fields.h"
 #include "figures/figure.h"
-#include "reading/text.h"
+#include "figures/palette.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {
@@ -43,8 +44,8 @@ void plot_map(const Grid& grid, const std::vector<double>& values, double lowest
                   label + "'\nset cbrange [" + number_text(lowest) + ":*]\nset xrange [" +
                   number_text(x.front() - half_x) + ":" + number_text(x.back() + half_x) +
                   "]\nset yrange [" + number_text(y.front() - half_y) + ":" +
-                  number_text(y.back() + half_y) + "]\nplot $map using 1:2:3 with image" +
-                  over + "\n");
+                  number_text(y.back() + half_y) + "]\nplot $map using 1:2:3 with image" + over +
+                  "\n");
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 #include <iterator>
 
 #include "reading/dump.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_FIGURE_H
-#define RODPACK_FIGURE_H
+#ifndef RODPACK_FIGURES_FIGURE_H
+#define RODPACK_FIGURES_FIGURE_H
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ constexpr const char* vermilion = "#D55E00";
 constexpr const char* grey = "#7F7F7F";
 }  // namespace colour
 
-/// A gnuplot datablock `$name << EOD ... EOD` of the given columns (equal length).
+/// Writes a gnuplot datablock `$name << EOD ... EOD` of the given columns (equal length).
 std::string datablock(const std::string& name, const std::vector<std::vector<double>>& columns);
 
 /// Draws `commands` with gnuplot into `stem`.png (1600 pixels wide) and `stem`.svg, both with

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "figures/orientation_figure.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "figures/figure.h"
-#include "analysis/orientation.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {

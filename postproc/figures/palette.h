@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_PALETTE_H
-#define RODPACK_PALETTE_H
+#ifndef RODPACK_FIGURES_PALETTE_H
+#define RODPACK_FIGURES_PALETTE_H
 
 #include <algorithm>
 #include <array>

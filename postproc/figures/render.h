@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_RENDER_H
-#define RODPACK_RENDER_H
+#ifndef RODPACK_FIGURES_RENDER_H
+#define RODPACK_FIGURES_RENDER_H
 
 #include <array>
 #include <optional>
@@ -32,15 +32,6 @@ struct RenderOptions {
 /// Spheres are drawn as discs of their true size; particles are told apart by a thin dark outline.
 /// @throws DataError when a column is missing, no sphere lies in the window, or drawing fails.
 void render_spheres(const Frame& spheres, const RenderOptions& options, const std::string& stem);
-
-/// d_p of a frame of the spheres' dump, m: the options, else parameters.json, else the mean 2
-/// radius.
-double sphere_diameter(const Frame& spheres, const PackingOptions& options);
-
-/// Direction of the long axis of each sphere's particle, degrees in [0, 180): the larger principal
-/// axis of its sphere centres; NaN for single spheres. `period`: of x, m; 0 when not periodic.
-std::vector<double> long_axis_degrees(const std::vector<double>& body, const std::vector<double>& x,
-                                      const std::vector<double>& y, double period);
 
 }  // namespace rodpack
 

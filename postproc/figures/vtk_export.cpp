@@ -16,16 +16,17 @@
 #include <map>
 #include <set>
 
-#include "reading/text.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {
 
-struct VectorColumns {
+struct VectorArray {
   const char* name;
   std::array<const char*, 3> columns;
 };
-constexpr VectorColumns vectors[] = {
+constexpr VectorArray vectors[] = {
     {"velocity_m_s", {"vx", "vy", "vz"}},
     {"angular_velocity_rad_s", {"omegax", "omegay", "omegaz"}},
     {"contact_force_N", {"fx", "fy", "fz"}},

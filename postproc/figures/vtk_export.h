@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_VTK_EXPORT_H
-#define RODPACK_VTK_EXPORT_H
+#ifndef RODPACK_FIGURES_VTK_EXPORT_H
+#define RODPACK_FIGURES_VTK_EXPORT_H
 
 #include <string>
 #include <vector>
@@ -18,8 +18,9 @@ namespace rodpack {
 /// appended (`radius_m`, `overlap_n_m`, `area_m2`, ...); every other column keeps its name.
 enum class DumpKind { bodies, spheres, contacts };
 
-/// Kind of a frame, told by its columns. @throws DataError when they fit none.
+/// Tells the kind of a frame by its columns. @throws DataError when they fit none.
 DumpKind kind_of(const Frame& frame);
+/// The name of a kind, as in the names of files: "bodies".
 std::string kind_name(DumpKind kind);
 
 /// Writes one frame as a compressed VTK PolyData file (.vtp), lengths in m.

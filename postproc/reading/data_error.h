@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_DATA_ERROR_H
-#define RODPACK_DATA_ERROR_H
+#ifndef RODPACK_READING_DATA_ERROR_H
+#define RODPACK_READING_DATA_ERROR_H
 
 #include <stdexcept>
 

@@ -5,59 +5,29 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <utility>
 
+#include "reading/parsing.h"
+
 namespace rodpack {
-namespace {
-
-// Takes the next blank-separated word off the front of `rest`; empty at the end.
-std::string_view take_word(std::string_view& rest) {
-  const auto begin = std::min(rest.find_first_not_of(" \t"), rest.size());
-  const auto end = std::min(rest.find_first_of(" \t", begin), rest.size());
-  const auto word = rest.substr(begin, end - begin);
-  rest.remove_prefix(end);
-  return word;
-}
-
-template <class Number>
-bool parse(std::string_view text, Number& value) {
-  const auto* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
-}
-
-bool starts_with(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
-}
-
-std::string shortened(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
-}
-
-}  // namespace
 
 bool Frame::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 const std::vector<double>& Frame::column(const std::string& name) const {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    std::string message =
-        file + ":" + std::to_string(header_line) + ": no column '" + name + "'; the columns are:";
-    for (const auto& each : names) message += " " + each;
-    throw DataError(message);
-  }
-  const auto index = static_cast<std::size_t>(found - names.begin());
+  const auto index = column_index(names, name, file + ":" + std::to_string(header_line));
   if (bad_fields[index].line > 0)
     throw DataError(file + ":" + std::to_string(bad_fields[index].line) + ": column '" + name +
                     "': expected a finite number, found '" + bad_fields[index].text + "'");
   return columns[index];
+}
+
+VectorColumns vector_columns(const Frame& frame, const std::array<const char*, 3>& names) {
+  return {&frame.column(names[0]), &frame.column(names[1]), &frame.column(names[2])};
 }
 
 // Lines of a plain or gzip-compressed file (zlib reads both), with the number of the current line.
@@ -116,7 +86,7 @@ struct DumpReader::Stream {
     long value = 0;
     std::string_view rest(line);
     const auto word = take_word(rest);
-    if (!parse(word, value) || value < 0 || !take_word(rest).empty())
+    if (!parse_number(word, value) || value < 0 || !take_word(rest).empty())
       fail("expected " + what + ", found '" + shortened(line) + "'");
     return value;
   }
@@ -166,7 +136,7 @@ bool DumpReader::next(Frame& frame) {
     in.need_line("a line 'lo hi' of the box bounds");
     std::string_view rest(in.line);
     for (auto& value : bound)
-      if (!parse(take_word(rest), value) || !std::isfinite(value))
+      if (!parse_number(take_word(rest), value) || !std::isfinite(value))
         in.fail("expected two numbers (box bounds), found '" + shortened(in.line) + "'");
   }
 
@@ -198,7 +168,7 @@ bool DumpReader::next(Frame& frame) {
       if (word.empty())
         in.fail("expected " + std::to_string(width) + " fields, found " + std::to_string(c));
       double value = 0;
-      if ((!parse(word, value) || !std::isfinite(value)) && frame.bad_fields[c].line == 0)
+      if ((!parse_number(word, value) || !std::isfinite(value)) && frame.bad_fields[c].line == 0)
         frame.bad_fields[c] = {in.line_number, std::string(word)};
       frame.columns[c].push_back(value);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_DUMP_H
-#define RODPACK_DUMP_H
+#ifndef RODPACK_READING_DUMP_H
+#define RODPACK_READING_DUMP_H
 
 #include <array>
 #include <cstddef>
@@ -42,12 +42,18 @@ struct Frame {
   std::vector<std::vector<double>> columns;
   std::vector<BadField> bad_fields;  // per column
 
+  /// Whether there is a column of this name.
   bool has(const std::string& name) const;
-  /// Values of the named column, one per row, in the dump's own unit.
+  /// Returns the values of the named column, one per row, in the dump's own unit.
   /// @throws DataError when there is no such column (the message lists those there are), or when a
   ///   field of it is not a finite number.
   const std::vector<double>& column(const std::string& name) const;
 };
+
+/// Three columns of a frame that hold the components of a vector, x to z, in the dump's own unit.
+using VectorColumns = std::array<const std::vector<double>*, 3>;
+/// Takes them by their names. They live as long as `frame`. @throws DataError as Frame::column().
+VectorColumns vector_columns(const Frame& frame, const std::array<const char*, 3>& names);
 
 /// Streams the frames of one dump, plain or gzip-compressed; memory for one frame only.
 class DumpReader {
@@ -62,7 +68,8 @@ class DumpReader {
   /// @throws DataError naming file and line when the frame is cut short or malformed.
   bool next(Frame& frame);
 
-  /// Timestep of the first frame of a file. @throws DataError when the file holds no frame.
+  /// Reads the timestep of the first frame of a file. @throws DataError when the file holds no
+  /// frame.
   static long first_timestep(const std::string& file);
 
  private:
@@ -70,8 +77,8 @@ class DumpReader {
   std::unique_ptr<Stream> stream_;
 };
 
-/// Files that the given names and wildcard patterns stand for, ordered by the timestep of their
-/// first frame, each once.
+/// Finds the files that the given names and wildcard patterns stand for, each once, and orders them
+/// by the timestep of their first frame.
 /// @throws DataError for a name without a file and for a pattern that matches nothing.
 std::vector<std::string> find_dumps(const std::vector<std::string>& patterns);
 
@@ -79,11 +86,11 @@ std::vector<std::string> find_dumps(const std::vector<std::string>& patterns);
 void for_each_frame(const std::vector<std::string>& files,
                     const std::function<void(const Frame&)>& visit);
 
-/// Last frame of the last file.
+/// Reads the last frame of the last file.
 Frame last_frame(const std::vector<std::string>& files);
 
-/// Frame of the given timestep; `files` as find_dumps() orders them. @throws NoSuchFrame naming the
-/// closest timestep before it, or the first one.
+/// Reads the frame of the given timestep; `files` as find_dumps() orders them. @throws NoSuchFrame
+/// naming the closest timestep before it, or the first one.
 Frame frame_at(const std::vector<std::string>& files, long timestep);
 
 }  // namespace rodpack

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {
@@ -81,6 +81,15 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
   packing.surface =
       bed_surface(packing.y, packing.area, packing.walls.floor, packing.walls.width(), layer);
   return packing;
+}
+
+double sphere_diameter(const Frame& spheres, const PackingOptions& options) {
+  if (options.particle_diameter) return *options.particle_diameter;
+  const auto parameters = find_parameters(spheres.file, options.parameters);
+  if (parameters && parameters->values.contains("particle_diameter_m"))
+    return parameters->number("particle_diameter_m");
+  const auto& radius = spheres.column("radius");
+  return 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(spheres.rows);
 }
 
 double bed_surface(const std::vector<double>& y, const std::vector<double>& area, double floor,

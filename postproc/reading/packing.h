@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_PACKING_H
-#define RODPACK_PACKING_H
+#ifndef RODPACK_READING_PACKING_H
+#define RODPACK_READING_PACKING_H
 
 #include <optional>
 #include <string>
@@ -19,6 +19,7 @@ struct Walls {
   bool sides = true;   // false: periodic in x with period right - left
   bool bottom = true;  // false: periodic in y, no floor
   std::string source;  // where the numbers come from, for reports
+  /// Distance of the side walls, or the period in x, m.
   double width() const { return right - left; }
 };
 
@@ -43,12 +44,15 @@ struct Packing {
   double aspect_ratio = 1;       // AR = l_axial / d_p
   double surface = 0;            // y of the bed's surface, m; see bed_surface()
 
+  /// Number of particles.
   std::size_t size() const { return x.size(); }
+  /// l_axial = AR d_p, m.
   double axial_length() const { return aspect_ratio * particle_diameter; }
 };
 
-/// Walls: the options, else container_width_m of parameters.json (walls x = 0 and x = width, floor
-/// y = 0), else the box bounds of the dump. A direction that is periodic in the dump has no walls.
+/// Finds the walls: the options, else container_width_m of parameters.json (walls x = 0 and x =
+/// width, floor y = 0), else the box bounds of the dump. A direction that is periodic in the dump
+/// has no walls.
 /// @throws DataError when the right wall is not beyond the left one.
 Walls find_walls(const Frame& frame, const PackingOptions& options,
                  const std::optional<RunParameters>& parameters);
@@ -59,10 +63,15 @@ Walls find_walls(const Frame& frame, const PackingOptions& options,
 /// @throws DataError when a column is missing, the frame is empty or a length is not positive.
 Packing read_packing(const Frame& frame, const PackingOptions& options = {});
 
-/// y of the bed's surface, m: where the solid fraction of horizontal layers, 2 d_p or half an axial
-/// length thick, falls through half of its bulk value (the area-weighted median over the layers).
-/// Particles that still fall above the bed do not count, and an uneven surface gives its mean
-/// level.
+/// Returns d_p of a frame of bodies or spheres (column `radius`), m: the options, else
+/// parameters.json, else the mean 2 radius.
+double sphere_diameter(const Frame& frame, const PackingOptions& options);
+
+/// Returns y of the bed's surface, m: where the solid fraction of horizontal layers, 2 d_p or half
+/// an axial length thick, falls through half of its bulk value (the area-weighted median over the
+/// layers). Particles that still fall above the bed do not count, and an uneven surface gives its
+/// mean level. `y`: of the centres of mass, m; `area`: covered by each particle, m^2; `floor`,
+/// `width` and `layer`, the thickness of a layer: m.
 double bed_surface(const std::vector<double>& y, const std::vector<double>& area, double floor,
                    double width, double layer);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_PARAMETERS_H
-#define RODPACK_PARAMETERS_H
+#ifndef RODPACK_READING_PARAMETERS_H
+#define RODPACK_READING_PARAMETERS_H
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,15 +14,17 @@ struct RunParameters {
   std::string file;
   nlohmann::json values;
 
-  /// @throws DataError naming file and key when it is missing or not a number.
+  /// Returns the value of a key, in the unit that its name says. @throws DataError naming file and
+  /// key when it is missing or not a number.
   double number(const std::string& key) const;
 };
 
-/// @throws DataError when the file is missing or is not a JSON object.
+/// Reads the parameters in `file`. @throws DataError when the file is missing or is not a JSON
+/// object.
 RunParameters read_parameters(const std::string& file);
 
-/// The parameters.json at `given`, or, when that is empty, in the folder of `dump` or the one above
-/// it, if there is one. @throws DataError as read_parameters().
+/// Reads the parameters.json at `given`, or, when that is empty, in the folder of `dump` or the one
+/// above it, if there is one. @throws DataError as read_parameters().
 std::optional<RunParameters> find_parameters(const std::string& dump, const std::string& given);
 
 }  // namespace rodpack

@@ -16,7 +16,8 @@
 
 #include "analysis/fields.h"
 #include "figures/figure.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace {
 using namespace rodpack;

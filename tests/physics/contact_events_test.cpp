@@ -14,7 +14,7 @@
 
 #include "liggghts_run.h"
 #include "campaigns/accuracy/accuracy.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
 #include "table.h"
 
 using namespace rodpack::test;

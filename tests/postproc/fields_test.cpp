@@ -10,6 +10,7 @@
 #include "liggghts_run.h"
 #include "analysis/pressure_profile.h"
 #include "synthetic_packing.h"
+#include "analysis/janssen_fit.h"
 
 using namespace rodpack;
 using rodpack::test::frame_head;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_ACCURACY_H
-#define RODPACK_ACCURACY_H
+#ifndef RODPACK_CAMPAIGNS_ACCURACY_ACCURACY_H
+#define RODPACK_CAMPAIGNS_ACCURACY_ACCURACY_H
 
 #include <algorithm>
 #include <functional>
@@ -20,8 +20,9 @@ struct AccuracyMethod {
   int order;               // of the formula, for smooth forces
   std::string integrator;  // style and arguments of the fix, without `planar`
 };
-/// @throws DataError naming those there are.
+/// Returns the method of that name. @throws DataError naming those there are.
 AccuracyMethod accuracy_method(const std::string& name);
+/// Lists the names of all methods.
 const std::vector<std::string>& accuracy_method_names();
 
 constexpr double paper_step = 1.1e-5;  // s, Lu et al. (2016)
@@ -45,9 +46,11 @@ struct AccuracyScene {
   double asymptotic_from = 25;  // steps per contact from which on errors show the order
   std::function<double(const Frame&)> error;  // of the end.dump
 
+  /// Number of time steps of a run with about so many steps per contact.
   long steps(double steps_per_contact) const;
-  double step(double steps_per_contact) const;  // s
-  /// Every -var of a run.
+  /// Their length, s.
+  double step(double steps_per_contact) const;
+  /// Returns every -var of a run of so many steps of `dt`, s.
   DeckVariables variables_for(const AccuracyMethod& method, double dt, long steps) const;
 };
 /// Name of the scene whose trajectories are chaotic, so that only means can be compared: beds of
@@ -56,9 +59,10 @@ constexpr const char* beds_scene = "beds";
 /// Name under which the limits of stability (rodpack/stability.h) are asked for.
 constexpr const char* stability_scene = "stability";
 
-/// With its reference, which takes up to a second. @throws DataError naming those there are.
+/// Returns the scene of that name with its reference, which takes up to a second. @throws DataError
+/// naming those there are.
 AccuracyScene accuracy_scene(const std::string& name);
-/// All with a known end, that is without `beds_scene`.
+/// Lists the names of all scenes with a known end, that is without `beds_scene`.
 const std::vector<std::string>& accuracy_scene_names();
 
 struct AccuracyRow {
@@ -108,17 +112,19 @@ struct AccuracySummary {
   bool at_once = false;                               // the coarsest step reaches it already
   double finest_evaluations = 0, finest_seconds = 0;  // of the finest step
 };
-/// `steps_of_paper`: the paper's step in steps per contact; errors below `floor` are rounding.
+/// Summarises the rows of one scene and method. `steps_of_paper`: the paper's step in steps per
+/// contact; errors below `floor` are rounding.
 AccuracySummary summarise(const std::vector<AccuracyRow>& rows, double steps_of_paper,
                           double asymptotic_from = 25, double floor = 1e-9, double target = 1e-3);
 
-/// Observed order: slope of -log error over log steps by least squares, of the errors between
-/// `floor` and 0.05 from `asymptotic_from` steps per contact on. None with fewer than three.
+/// Returns the observed order: slope of -log error over log steps by least squares, of the errors
+/// between `floor` and 0.05 from `asymptotic_from` steps per contact on. None with fewer than
+/// three.
 std::optional<double> observed_order(const std::vector<double>& steps,
                                      const std::vector<double>& errors, double asymptotic_from = 25,
                                      double floor = 1e-9);
 
-/// accuracy.md, which ends with the section `beds`, and the figures `scene`_evaluations and
+/// Writes accuracy.md, which ends with the section `beds`, and the figures `scene`_evaluations and
 /// `scene`_seconds (.png, .svg) in `folder`.
 void report_accuracy(const std::vector<AccuracyRow>& rows, const std::string& beds,
                      const AccuracySettings& settings, const std::string& folder);

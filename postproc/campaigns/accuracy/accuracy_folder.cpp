@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "reading/data_error.h"
 #include "campaigns/launch/deck_folder.h"
-#include "reading/text.h"
+#include "reading/data_error.h"
+#include "reading/json_file.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 
@@ -40,7 +39,7 @@ void claim_folder(const std::string& folder, const AccuracySettings& settings) {
   const auto wanted = common(settings);
   if (!has_rows(folder + "/accuracy.csv") && !has_rows(folder + "/beds.csv")) {
     fs::create_directories(folder);
-    write_text(file, wanted.dump(2) + "\n");
+    write_json(file, wanted);
     return;
   }
   const auto found = nlohmann::json::parse(read_text(file), nullptr, false);
@@ -53,37 +52,14 @@ void claim_folder(const std::string& folder, const AccuracySettings& settings) {
                       ", expected " + value.dump() + ": other settings need another folder");
 }
 
-std::vector<std::vector<std::string>> read_fields(const std::string& file,
-                                                  const std::string& header) {
+Table resume_table(const std::string& file, const std::string& header) {
   const std::string all = read_text(file);
   const auto last = all.rfind('\n');
-  if (last == std::string::npos) {
+  if (last == std::string::npos)
     write_text(file, header + "\n");
-    return {};
-  }
-  if (last + 1 < all.size()) write_text(file, all.substr(0, last + 1));
-  std::istringstream lines(all.substr(0, last + 1));
-  std::string line;
-  std::getline(lines, line);
-  const auto columns = std::count(header.begin(), header.end(), ',') + 1;
-  if (line != header) throw DataError(file + ":1: expected " + header + ", found '" + line + "'");
-  std::vector<std::vector<std::string>> rows;
-  for (long number = 2; std::getline(lines, line); ++number) {
-    std::vector<std::string> fields;
-    std::istringstream row(line);
-    for (std::string field; std::getline(row, field, ',');) fields.push_back(field);
-    if (static_cast<long>(fields.size()) != columns)
-      throw DataError(file + ":" + std::to_string(number) + ": expected " + header + ", found '" +
-                      line + "'");
-    rows.push_back(fields);
-  }
-  return rows;
-}
-
-void append_line(const std::string& file, const std::string& line) {
-  std::ofstream out(file, std::ios::app | std::ios::binary);
-  out << line << '\n' << std::flush;
-  if (!out) throw DataError(file + ": cannot be written");
+  else if (last + 1 < all.size())
+    write_text(file, all.substr(0, last + 1));
+  return read_table(file, header);
 }
 
 std::string run_accuracy_deck(const AccuracySettings& settings, const std::string& folder,

@@ -7,11 +7,11 @@
 namespace rodpack {
 namespace {
 
-/// One contact with its mode. delta: overlap; vn: normal velocity, > 0 separating; vt: tangential
+/// A contact with its mode. delta: overlap; vn: normal velocity, > 0 separating; vt: tangential
 /// velocity of the surface; s: its integral.
-class Contact {
+class ReferenceContact {
  public:
-  Contact(const ContactLaw& law, double effective_mass)
+  ReferenceContact(const ReferenceLaw& law, double effective_mass)
       : kn_(law.kn),
         kt_(law.kt),
         cn_(2 * law.eta_n * std::sqrt(effective_mass * law.kn)),
@@ -101,7 +101,7 @@ class PairMotion : public HybridSystem {
     dy[S] = contact_.spring_rate(v.vt);
   }
   void guards(const State& y, std::vector<double>& g) const override {
-    g.resize(Contact::guards);
+    g.resize(ReferenceContact::guards);
     const View v = view(y);
     contact_.guard(v.delta, v.vn, v.vt, y[S], g.data());
   }
@@ -123,7 +123,7 @@ class PairMotion : public HybridSystem {
   }
 
   SpherePair pair_;
-  Contact contact_;
+  ReferenceContact contact_;
 };
 
 class RodMotion : public HybridSystem {
@@ -131,7 +131,7 @@ class RodMotion : public HybridSystem {
   enum { X, Y, ANGLE, VX, VY, OMEGA, S };
 
   explicit RodMotion(const RodOnFloor& rod)
-      : rod_(rod), contacts_(rod.places.size(), Contact(rod.law, rod.mass)) {}
+      : rod_(rod), contacts_(rod.places.size(), ReferenceContact(rod.law, rod.mass)) {}
 
   void rate(const State& y, State& dy) const override {
     double fx = 0, fy = -rod_.mass * rod_.gravity, torque = 0;
@@ -155,17 +155,17 @@ class RodMotion : public HybridSystem {
     dy[OMEGA] = torque / rod_.inertia;
   }
   void guards(const State& y, std::vector<double>& g) const override {
-    g.resize(Contact::guards * contacts_.size());
+    g.resize(ReferenceContact::guards * contacts_.size());
     const double c = std::cos(y[ANGLE]), s = std::sin(y[ANGLE]);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const View v = view(y, i, c, s);
-      contacts_[i].guard(v.delta, v.vn, v.vt, y[S + i], &g[Contact::guards * i]);
+      contacts_[i].guard(v.delta, v.vn, v.vt, y[S + i], &g[ReferenceContact::guards * i]);
     }
   }
   void pass(std::size_t guard, State& y) override {
-    const std::size_t i = guard / Contact::guards;
+    const std::size_t i = guard / ReferenceContact::guards;
     const View v = view(y, i, std::cos(y[ANGLE]), std::sin(y[ANGLE]));
-    contacts_[i].pass(guard % Contact::guards, v.delta, v.vn, v.vt, y[S + i]);
+    contacts_[i].pass(guard % ReferenceContact::guards, v.delta, v.vn, v.vt, y[S + i]);
   }
 
  private:
@@ -180,7 +180,7 @@ class RodMotion : public HybridSystem {
   }
 
   RodOnFloor rod_;
-  std::vector<Contact> contacts_;
+  std::vector<ReferenceContact> contacts_;
 };
 
 std::array<double, 4> product(const std::array<double, 4>& a, const std::array<double, 4>& b) {

@@ -6,9 +6,10 @@
 #include <map>
 
 #include "campaigns/accuracy/accuracy.h"
-#include "reading/data_error.h"
 #include "figures/figure.h"
-#include "reading/text.h"
+#include "reading/data_error.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {

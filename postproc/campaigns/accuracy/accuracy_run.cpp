@@ -5,9 +5,12 @@
 #include <ostream>
 
 #include "campaigns/accuracy/accuracy_folder.h"
-#include "reading/data_error.h"
 #include "campaigns/launch/step_timing.h"
-#include "reading/text.h"
+#include "reading/csv_file.h"
+#include "reading/data_error.h"
+#include "reading/dump.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 
@@ -18,21 +21,23 @@ namespace {
 const std::string header = "scene,method,order,steps_per_contact,error,force_evaluations,seconds";
 
 std::string text(const AccuracyRow& row) {
-  return row.scene + "," + row.method + "," + std::to_string(row.order) + "," +
-         number_text(row.steps_per_contact, 12) + "," + number_text(row.error, 12) + "," +
-         number_text(row.force_evaluations) + "," + number_text(row.seconds, 6);
+  return csv_line({row.scene, row.method, std::to_string(row.order),
+                   number_text(row.steps_per_contact, 12), number_text(row.error, 12),
+                   number_text(row.force_evaluations), number_text(row.seconds, 6)});
 }
 
 std::vector<AccuracyRow> read_rows(const std::string& file) {
+  const Table table = resume_table(file, header);
+  const auto &scene = table.words("scene"), &method = table.words("method");
+  const auto order = table.whole_numbers("order");
+  const auto& steps_per_contact = table.column("steps_per_contact");
+  const auto& error = table.column("error");
+  const auto& force_evaluations = table.column("force_evaluations");
+  const auto& seconds = table.column("seconds");
   std::vector<AccuracyRow> rows;
-  for (const auto& f : read_fields(file, header)) {
-    try {
-      rows.push_back({f[0], f[1], std::stoi(f[2]), std::stod(f[3]), std::stod(f[4]),
-                      std::stod(f[5]), std::stod(f[6])});
-    } catch (const std::logic_error&) {
-      throw DataError(file + ": expected numbers after scene and method " + f[0] + ", " + f[1]);
-    }
-  }
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    rows.push_back({scene[i], method[i], static_cast<int>(order[i]), steps_per_contact[i], error[i],
+                    force_evaluations[i], seconds[i]});
   return rows;
 }
 

@@ -5,10 +5,10 @@
 
 #include "campaigns/accuracy/accuracy.h"
 #include "campaigns/accuracy/accuracy_references.h"
-#include "rodpack/contact/contact_law.h"
 #include "reading/data_error.h"
+#include "reading/number_text.h"
+#include "rodpack/contact/contact_law.h"
 #include "rodpack/geometry/mass_properties.h"
-#include "reading/text.h"
 
 namespace rodpack {
 namespace {
@@ -21,7 +21,7 @@ constexpr double lost = std::numeric_limits<double>::infinity();
 
 std::string exact(double value) { return number_text(value, 17); }
 
-void set_law(AccuracyScene& scene, const ContactLaw& law) {
+void set_law(AccuracyScene& scene, const ReferenceLaw& law) {
   scene.variables["k"] = exact(law.kn);
   scene.variables["kt"] = exact(law.kt);
   scene.variables["eta_n"] = exact(law.eta_n);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_HYBRID_MOTION_H
-#define RODPACK_HYBRID_MOTION_H
+#ifndef RODPACK_CAMPAIGNS_ACCURACY_HYBRID_MOTION_H
+#define RODPACK_CAMPAIGNS_ACCURACY_HYBRID_MOTION_H
 
 #include <cstddef>
 #include <vector>

@@ -5,27 +5,40 @@
 #include <cmath>
 
 #include "campaigns/accuracy/accuracy_folder.h"
+#include "reading/csv_file.h"
 #include "reading/data_error.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {
 
-const std::string header =
-    "method,timestep_s,overlap,normal_stiffness_N_m,planar,seed,rods,kinetic_J,elastic_J,"
-    "carried_weight_ratio,mean_height_over_dp,solid_fraction,S2_horizontal,neighbours_per_rod,"
-    "contacts_per_rod,mean_overlap_over_dp,mean_pair_force_N,largest_pair_force_N,step_over_limit,"
-    "steps,processor_s_per_step";
+/// Columns of beds.csv that hold one number of the row each.
+const struct {
+  const char* name;
+  double BedRow::*value;
+} measures[] = {{"kinetic_J", &BedRow::kinetic},
+                {"elastic_J", &BedRow::elastic},
+                {"carried_weight_ratio", &BedRow::carried_weight},
+                {"mean_height_over_dp", &BedRow::height},
+                {"solid_fraction", &BedRow::solid_fraction},
+                {"S2_horizontal", &BedRow::order},
+                {"neighbours_per_rod", &BedRow::neighbours},
+                {"contacts_per_rod", &BedRow::contacts},
+                {"mean_overlap_over_dp", &BedRow::overlap},
+                {"mean_pair_force_N", &BedRow::mean_force},
+                {"largest_pair_force_N", &BedRow::largest_force},
+                {"step_over_limit", &BedRow::step_over_limit}};
+
+std::string header() {
+  std::vector<std::string> names = {"method", "timestep_s", "overlap", "normal_stiffness_N_m",
+                                    "planar", "seed",       "rods"};
+  for (const auto& measure : measures) names.emplace_back(measure.name);
+  names.insert(names.end(), {"steps", "processor_s_per_step"});
+  return csv_line(names);
+}
 
 // From the stability limit of velocity Verlet down to half the paper's.
 const double steps[] = {6.6e-5, 4.4e-5, 3.3e-5, 2.75e-5, 2.2e-5, 1.65e-5, 1.1e-5, 0.55e-5};
-
-double number(const std::string& text) {
-  std::size_t used = 0;
-  const double value = std::stod(text, &used);
-  if (used != text.size()) throw std::invalid_argument(text);
-  return value;
-}
 
 bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b); }
 
@@ -123,41 +136,37 @@ std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& metho
 
 std::string bed_row_text(const BedRow& row) {
   const auto& m = row.model;
-  std::string text = m.method + "," + number_text(m.step) + "," + number_text(m.overlap) + "," +
-                     number_text(m.stiffness) + "," + motion_text(m) + "," +
-                     std::to_string(row.seed) + "," + std::to_string(row.rods);
-  for (const double value :
-       {row.kinetic, row.elastic, row.carried_weight, row.height, row.solid_fraction, row.order,
-        row.neighbours, row.contacts, row.overlap, row.mean_force, row.largest_force,
-        row.step_over_limit, static_cast<double>(row.steps), row.seconds_per_step})
-    text += "," + number_text(value);
-  return text;
+  std::vector<std::string> fields = {
+      m.method,       number_text(m.step),      number_text(m.overlap),  number_text(m.stiffness),
+      motion_text(m), std::to_string(row.seed), std::to_string(row.rods)};
+  for (const auto& measure : measures) fields.push_back(number_text(row.*measure.value));
+  fields.push_back(number_text(static_cast<double>(row.steps)));
+  fields.push_back(number_text(row.seconds_per_step));
+  return csv_line(fields);
 }
 
 std::vector<BedRow> read_bed_rows(const std::string& file) {
-  std::vector<BedRow> rows;
-  long line = 1;
-  for (const auto& f : read_fields(file, header)) {
-    ++line;
-    try {
-      if (f[4] != "yes" && f[4] != "no" && f[4] != "engine") throw std::invalid_argument(f[4]);
-      BedRow row;
-      row.model = {f[0], number(f[1]), number(f[2]), number(f[3]), f[4] != "no", f[4] == "engine"};
-      row.seed = static_cast<int>(number(f[5]));
-      row.rods = static_cast<int>(number(f[6]));
-      std::size_t next = 7;
-      for (double* value :
-           {&row.kinetic, &row.elastic, &row.carried_weight, &row.height, &row.solid_fraction,
-            &row.order, &row.neighbours, &row.contacts, &row.overlap, &row.mean_force,
-            &row.largest_force, &row.step_over_limit})
-        *value = number(f[next++]);
-      row.steps = std::lround(number(f[next++]));
-      row.seconds_per_step = number(f[next]);
-      rows.push_back(row);
-    } catch (const std::logic_error&) {
-      throw DataError(file + ":" + std::to_string(line) +
-                      ": expected a method, three numbers, yes, no or engine, and numbers");
-    }
+  const Table table = resume_table(file, header());
+  const auto &method = table.words("method"), &motion = table.words("planar");
+  const auto &step = table.column("timestep_s"), &overlap = table.column("overlap"),
+             &stiffness = table.column("normal_stiffness_N_m"),
+             &seconds_per_step = table.column("processor_s_per_step");
+  const auto seed = table.whole_numbers("seed"), rods = table.whole_numbers("rods"),
+             steps_taken = table.whole_numbers("steps");
+  std::vector<BedRow> rows(table.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (motion[i] != "yes" && motion[i] != "no" && motion[i] != "engine")
+      table.refuse(i, "planar", "yes, no or engine");
+    rows[i].model = {method[i],    step[i],           overlap[i],
+                     stiffness[i], motion[i] != "no", motion[i] == "engine"};
+    rows[i].seed = static_cast<int>(seed[i]);
+    rows[i].rods = static_cast<int>(rods[i]);
+    rows[i].steps = steps_taken[i];
+    rows[i].seconds_per_step = seconds_per_step[i];
+  }
+  for (const auto& measure : measures) {
+    const auto& values = table.column(measure.name);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*measure.value = values[i];
   }
   return rows;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_BEDS_H
-#define RODPACK_BEDS_H
+#ifndef RODPACK_CAMPAIGNS_BEDS_BEDS_H
+#define RODPACK_CAMPAIGNS_BEDS_BEDS_H
 
 #include <functional>
 #include <iosfwd>
@@ -55,8 +55,8 @@ struct BedComparison {
   std::string question;  // what the table answers
   std::vector<BedModel> models;
 };
-/// surface, planar, engine, stiffness and a `step_METHOD` for each of `methods`; those of `only`,
-/// if it names any. @throws DataError for a name that is none.
+/// Lists the comparisons surface, planar, engine, stiffness and a `step_METHOD` for each of
+/// `methods`; those of `only`, if it names any. @throws DataError for a name that is none.
 std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
                                            const std::vector<std::string>& only = {});
 
@@ -64,15 +64,15 @@ std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& metho
 BedRow run_bed(const AccuracySettings& settings, const std::string& folder, const BedModel& model,
                int seed);
 
-/// As measure_accuracy, in `folder`/beds.csv: every model of the comparisons of
+/// Does as measure_accuracy, in `folder`/beds.csv: runs every model of the comparisons of
 /// settings.bed_methods with every seed, once each.
 std::vector<BedRow> measure_beds(const AccuracySettings& settings, const std::string& folder,
                                  std::ostream& progress);
 
-/// Rows of a beds.csv; a missing file is made, with the header alone. @throws DataError naming file
-/// and line for malformed ones.
+/// Reads the rows of a beds.csv; a missing file is made, with the header alone. @throws DataError
+/// naming file and line for malformed ones.
 std::vector<BedRow> read_bed_rows(const std::string& file);
-/// A line of that file.
+/// Writes a line of that file, without line end.
 std::string bed_row_text(const BedRow& row);
 
 /// Mean over seeds with its standard error (0 for fewer than two).
@@ -80,22 +80,23 @@ struct SeedMean {
   int seeds = 0;
   double value = 0, error = 0;
 };
+/// Computes it from one value per seed, in their unit.
 SeedMean seed_mean(const std::vector<double>& values);
-/// A mean difference in its standard errors; 0 if it is 0, infinite if only its error is.
+/// Returns a mean difference in its standard errors; 0 if it is 0, infinite if only its error is.
 double in_standard_errors(const SeedMean& difference);
 
-/// Mean of `value` over the runs of `model` that have come to rest with all `rods`.
+/// Returns the mean of `value` over the runs of `model` that have come to rest with all `rods`.
 SeedMean resting_mean(const std::vector<BedRow>& rows, const BedModel& model, int rods,
                       const std::function<double(const BedRow&)>& value);
 
-/// Mean difference of `value` between `model` and `reference`, over the seeds with which both have
-/// come to rest. In pairs, since a seed's bed is much the same with either: the way the rods start
-/// makes two thirds of the scatter of phi.
+/// Returns the mean difference of `value` between `model` and `reference`, over the seeds with
+/// which both have come to rest. In pairs, since a seed's bed is much the same with either: the way
+/// the rods start makes two thirds of the scatter of phi.
 SeedMean paired_difference(const std::vector<BedRow>& rows, const BedModel& model,
                            const BedModel& reference, int rods,
                            const std::function<double(const BedRow&)>& value);
 
-/// Median processor time per simulated second, s; 0 without rows.
+/// Returns the median processor time per simulated second, s; 0 without rows.
 double bed_cost(const std::vector<BedRow>& rows, const BedModel& model);
 
 /// A quantity that is compared.
@@ -103,7 +104,7 @@ struct BedQuantity {
   std::string name, unit;
   std::function<double(const BedRow&)> value;
 };
-/// Solid fraction, S2, elastic energy, neighbours.
+/// Lists them: solid fraction, S2, elastic energy (µJ), neighbours.
 const std::vector<BedQuantity>& bed_quantities();
 
 /// One model of a comparison, over its seeds.
@@ -116,23 +117,25 @@ struct BedSummary {
   std::string worst_of;  // its quantity
   bool all_at_rest() const { return runs > 0 && at_rest == runs; }
 };
-/// One entry per model that has rows, in the comparison's order, held against the last of them.
+/// Returns one entry per model that has rows, in the comparison's order, held against the last of
+/// them.
 std::vector<BedSummary> summarise_beds(const std::vector<BedRow>& rows,
                                        const BedComparison& comparison, int rods);
 
-/// The largest time step up to which, from the finest on, all runs come to rest with no mean
-/// `bound` or more standard errors of the difference away from that of the finest step. None when
-/// the finest does not come to rest, or its means have no error.
+/// Returns the largest time step, s, up to which, from the finest on, all runs come to rest with no
+/// mean `bound` or more standard errors of the difference away from that of the finest step. None
+/// when the finest does not come to rest, or its means have no error.
 std::optional<double> largest_step_within(const std::vector<BedSummary>& steps, double bound);
 
-/// Section for accuracy.md: the comparisons, the closed forms of the surface, and the guide.
+/// Writes the section for accuracy.md: the comparisons, the closed forms of the surface, and the
+/// guide.
 std::string beds_section(const std::vector<BedRow>& rows, const AccuracySettings& settings);
-/// The guide alone: scene, model, integrator, step, expected error, relative cost.
+/// Writes the guide alone, a table: scene, model, integrator, step, expected error, relative cost.
 std::string bed_guide(const std::vector<BedRow>& rows, const std::vector<std::string>& methods,
                       int rods);
 
-/// Of the settings' comparisons: beds_step, beds_surface and beds_stiffness, .png and .svg, in
-/// `folder`.
+/// Draws the figures of the settings' comparisons: beds_step, beds_surface and beds_stiffness, .png
+/// and .svg, in `folder`.
 void draw_beds(const std::vector<BedRow>& rows, const AccuracySettings& settings,
                const std::string& folder);
 

@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "campaigns/beds/beds.h"
-#include "rodpack/geometry/chain_geometry.h"
 #include "figures/figure.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
+#include "rodpack/geometry/chain_geometry.h"
 
 namespace rodpack {
 namespace {

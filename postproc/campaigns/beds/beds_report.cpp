@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <set>
 
-#include "campaigns/beds/beds.h"
-#include "rodpack/geometry/chain_geometry.h"
 #include "analysis/surface_roughness.h"
-#include "reading/text.h"
+#include "campaigns/beds/beds.h"
+#include "reading/number_text.h"
+#include "rodpack/geometry/chain_geometry.h"
 
 namespace rodpack {
 namespace {

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <ostream>
 
 #include "campaigns/accuracy/accuracy_folder.h"
 #include "campaigns/beds/beds.h"
-#include "analysis/contact_forces.h"
 #include "reading/data_error.h"
-#include "reading/text.h"
+#include "reading/dump.h"
+#include "reading/number_text.h"
+#include "reading/table.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {
@@ -77,17 +78,14 @@ void measure_contacts(const Frame& contacts, const Frame& bodies, BedRow& row) {
 
 /// Fills in what the run left behind.
 void measure(const std::string& work, double width, BedRow& row) {
-  std::ifstream energies(work + "/energies.txt");
-  std::string comment;
-  std::getline(energies, comment);
-  std::string kinetic, elastic, limit;
-  if (!(energies >> kinetic >> elastic >> limit))
-    throw DataError(work + "/energies.txt: expected two energies and a fraction");
+  const Table energies = read_table(work + "/energies.txt");
+  if (energies.rows() == 0)
+    throw DataError(work + "/energies.txt: expected two energies and a fraction, found no row");
   const BedRow before = row;
   try {
-    row.kinetic = std::stod(kinetic);
-    row.elastic = std::stod(elastic);
-    row.step_over_limit = std::stod(limit);
+    row.kinetic = energies.column("kinetic_J").front();
+    row.elastic = energies.column("elastic_J").front();
+    row.step_over_limit = energies.column("step_over_limit").front();
     const Frame bodies = last_frame({work + "/end.dump"});
     row.rods = static_cast<int>(bodies.rows);
     if (row.rods == 0) return;

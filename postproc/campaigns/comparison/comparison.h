@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_COMPARISON_H
-#define RODPACK_COMPARISON_H
+#ifndef RODPACK_CAMPAIGNS_COMPARISON_COMPARISON_H
+#define RODPACK_CAMPAIGNS_COMPARISON_COMPARISON_H
 
 #include <array>
 #include <optional>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "analysis/contact_forces.h"
-#include "rodpack/geometry/mass_properties.h"
 #include "analysis/orientation.h"
+#include "rodpack/geometry/mass_properties.h"
 
 namespace rodpack {
 
@@ -46,7 +46,8 @@ struct Separation {
   std::optional<std::size_t> parted;  // first frame whose largest distance exceeds the limit
   std::optional<double> parting_time() const;  // time of that frame, s
 };
-/// `limit` in m. @throws DataError when the histories are of other bodies or other times.
+/// Measures it frame by frame. `limit` in m. @throws DataError when the histories are of other
+/// bodies or other times.
 Separation separate(const BodyHistory& a, const BodyHistory& b, double limit);
 
 /// Energies and contacts of one run, one per frame.
@@ -75,10 +76,12 @@ struct MethodRun {
   double mass = 0;                  // of every body, kg
   std::array<double, 3> inertia{};  // principal moments of every body, kg m^2, as LIGGGHTS has them
 };
-/// @throws DataError when a file is missing, does not fit the others or is of unequal bodies.
+/// Reads the run of the method `name`. @throws DataError when a file is missing, does not fit the
+/// others or is of unequal bodies.
 MethodRun read_method_run(const std::string& name, const std::string& folder);
 
-/// Mass (kg) and moments (kg m^2) of the deck's rod in closed form, for its parameters.json.
+/// Computes mass (kg) and moments (kg m^2) of the deck's rod in closed form, for its
+/// parameters.json.
 MassProperties exact_mass_properties(const RunParameters& parameters);
 
 /// Wall-clock times per step of the built-in fix and of ours, one per round, s.
@@ -103,27 +106,30 @@ struct ComparisonRow {
   std::string quantity, unit;
   std::optional<double> builtin, rodpack, sampled, exact;
 };
+/// Lists all that is compared, in the order of compare.csv.
 std::vector<ComparisonRow> comparison_rows(const Comparison& comparison);
 
-/// Columns quantity, unit, builtin, rodpack, builtin_sampled, exact. @throws DataError when it
-/// cannot be written.
+/// Writes a CSV table with the columns quantity, unit, builtin, rodpack, builtin_sampled, exact.
+/// @throws DataError when it cannot be written.
 void write_comparison(const std::vector<ComparisonRow>& rows, const std::string& file);
-/// The same for a terminal, aligned.
+/// Returns the same for a terminal, aligned.
 std::string comparison_text(const std::vector<ComparisonRow>& rows);
 
-/// Columns time_s, body, then x_m, y_m, angle_deg of builtin and rodpack: up to and with the frame
-/// where they have parted, all frames if they never do.
+/// Writes a CSV table with the columns time_s, body, then x_m, y_m, angle_deg of builtin and
+/// rodpack: up to and with the frame where they have parted, all frames if they never do.
 void write_trajectories(const Comparison& comparison, const std::string& file);
-/// Columns time_s, largest and rms distance (m) of builtin and of builtin_sampled from rodpack.
+/// Writes a CSV table with the columns time_s, largest and rms distance (m) of builtin and of
+/// builtin_sampled from rodpack.
 void write_separation(const Comparison& comparison, const std::string& file);
-/// Columns time_s, then for each run the energies (J) and the number of sphere contacts.
+/// Writes a CSV table with the columns time_s, then for each run the energies (J) and the number of
+/// sphere contacts.
 void write_energies(const Comparison& comparison, const std::string& file);
-/// Columns round, then state and method: seconds per step.
+/// Writes a CSV table with the columns round, then state and method: seconds per step.
 void write_step_times(const Comparison& comparison, const std::string& file);
 
-/// Largest distance over time, in d_p: `stem`.png and `stem`.svg.
+/// Draws the largest distance over time, in d_p: `stem`.png and `stem`.svg.
 void plot_separation(const Comparison& comparison, const std::string& stem);
-/// Kinetic and elastic energy over time: `stem`.png and `stem`.svg.
+/// Draws kinetic and elastic energy over time: `stem`.png and `stem`.svg.
 void plot_energy_comparison(const Comparison& comparison, const std::string& stem);
 
 }  // namespace rodpack

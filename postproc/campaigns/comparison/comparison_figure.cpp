@@ -3,7 +3,7 @@
 
 #include "campaigns/comparison/comparison.h"
 #include "figures/figure.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {

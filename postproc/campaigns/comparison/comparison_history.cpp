@@ -4,7 +4,7 @@
 
 #include "campaigns/comparison/comparison.h"
 #include "reading/dump.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack {
 namespace {

@@ -3,12 +3,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "rodpack/geometry/chain_geometry.h"
+#include "analysis/solid_fraction.h"
 #include "campaigns/comparison/comparison.h"
 #include "reading/dump.h"
+#include "reading/number_text.h"
 #include "reading/packing.h"
-#include "analysis/solid_fraction.h"
-#include "reading/text.h"
+#include "reading/table.h"
+#include "rodpack/geometry/chain_geometry.h"
 
 namespace rodpack {
 namespace {
@@ -30,7 +31,7 @@ double common_value(const Frame& frame, const std::string& column) {
 }
 
 RunSeries read_series(const std::string& file, const BodyHistory& bodies) {
-  const CsvTable table(file);
+  const Table table = read_table(file);
   const auto& time = table.column("time_s");
   const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
   if (!std::equal(time.begin(), time.end(), bodies.time.begin(), bodies.time.end(), same))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "campaigns/comparison/comparison.h"
-#include "reading/text.h"
+#include "reading/csv_file.h"
 
 namespace rodpack {
 namespace {

@@ -4,7 +4,8 @@
 
 #include "campaigns/comparison/comparison.h"
 #include "campaigns/launch/step_timing.h"
-#include "reading/text.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {
@@ -13,9 +14,9 @@ constexpr double degrees = 180 / 3.14159265358979323846;
 using Value = std::optional<double>;
 
 /// Collects rows; a quantity of all three runs is a function of the run.
-class Rows {
+class RowCollector {
  public:
-  explicit Rows(const Comparison& comparison) : comparison_(comparison) {}
+  explicit RowCollector(const Comparison& comparison) : comparison_(comparison) {}
   void add(const std::string& quantity, const std::string& unit,
            const std::function<Value(const MethodRun&)>& of, Value exact = {}) {
     rows_.push_back({quantity, unit, of(comparison_.builtin), of(comparison_.rodpack),
@@ -36,7 +37,7 @@ double elastic(const MethodRun& run, std::size_t frame) {
   return run.series.elastic_normal[frame] + run.series.elastic_tangential[frame];
 }
 
-void add_parting(Rows& rows, const Comparison& c) {
+void add_parting(RowCollector& rows, const Comparison& c) {
   rows.add({"parting_time_from_rodpack",
             "s",
             c.builtin_rodpack.parting_time(),
@@ -51,7 +52,7 @@ void add_parting(Rows& rows, const Comparison& c) {
             {}});
 }
 
-void add_mass(Rows& rows, const MassProperties& exact) {
+void add_mass(RowCollector& rows, const MassProperties& exact) {
   rows.add(
       "mass", "kg", [](const MethodRun& run) { return run.mass; }, exact.mass);
   const char* names[] = {"inertia_along_the_rod", "inertia_across_1", "inertia_across_2"};
@@ -61,7 +62,7 @@ void add_mass(Rows& rows, const MassProperties& exact) {
         exact.inertia[axis]);
 }
 
-void add_leak(Rows& rows) {
+void add_leak(RowCollector& rows) {
   const auto leak = [&rows](const std::string& name, const std::string& unit, double Leak::*member,
                             double factor = 1) {
     rows.add(name, unit, [=](const MethodRun& run) { return factor * (run.bodies.leak.*member); });
@@ -74,7 +75,7 @@ void add_leak(Rows& rows) {
   leak("largest_omega_z_for_scale", "rad/s", &Leak::omega_z);
 }
 
-void add_energies(Rows& rows, const std::string& when, bool at_the_end) {
+void add_energies(RowCollector& rows, const std::string& when, bool at_the_end) {
   const auto frame = [at_the_end](const MethodRun& run) {
     return at_the_end ? run.bodies.time.size() - 1 : 0;
   };
@@ -90,7 +91,7 @@ void add_energies(Rows& rows, const std::string& when, bool at_the_end) {
   });
 }
 
-void add_bed(Rows& rows) {
+void add_bed(RowCollector& rows) {
   const auto coordination = [&rows](const std::string& name, double Coordination::*member) {
     rows.add(name, "1", [=](const MethodRun& run) -> Value {
       if (!run.bed.coordination) return {};
@@ -118,7 +119,7 @@ void add_bed(Rows& rows) {
   nematic("director", "deg", &NematicOrder::director);
 }
 
-void add_times(Rows& rows, const StepTimes& times) {
+void add_times(RowCollector& rows, const StepTimes& times) {
   const double builtin = median(times.builtin);
   const double rodpack = median(times.rodpack);
   rows.add({"time_per_step_" + times.state, "s", builtin, rodpack, {}, {}});
@@ -137,7 +138,7 @@ std::string padded(std::string text, std::size_t width) {
 }  // namespace
 
 std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
-  Rows rows(comparison);
+  RowCollector rows(comparison);
   add_parting(rows, comparison);
   add_mass(rows, comparison.exact);
   add_leak(rows);

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "reading/data_error.h"
-#include "reading/text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 

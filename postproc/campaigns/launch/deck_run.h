@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_DECK_RUN_H
-#define RODPACK_DECK_RUN_H
+#ifndef RODPACK_CAMPAIGNS_LAUNCH_DECK_RUN_H
+#define RODPACK_CAMPAIGNS_LAUNCH_DECK_RUN_H
 
 #include <map>
 #include <string>
@@ -17,14 +17,15 @@ struct Liggghts {
   int ranks = 1;
 };
 
-/// The `liggghts` that stands beside the running program. @throws DataError when there is none.
+/// Finds the `liggghts` that stands beside the running program. @throws DataError when there is
+/// none.
 std::string liggghts_beside_this_program();
 
-/// `text` as one word of the shell.
+/// Quotes `text` as one word of the shell.
 std::string shell_word(const std::string& text);
 
-/// The shell command that runs `deck` in the current folder, where LIGGGHTS leaves its log.liggghts
-/// and Open MPI its session folder.
+/// Returns the shell command that runs `deck` in the current folder, where LIGGGHTS leaves its
+/// log.liggghts and Open MPI its session folder.
 std::string liggghts_command(const Liggghts& liggghts, const std::string& deck,
                              const DeckVariables& variables);
 

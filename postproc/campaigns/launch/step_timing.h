@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_STEP_TIMING_H
-#define RODPACK_STEP_TIMING_H
+#ifndef RODPACK_CAMPAIGNS_LAUNCH_STEP_TIMING_H
+#define RODPACK_CAMPAIGNS_LAUNCH_STEP_TIMING_H
 
 #include <functional>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace rodpack {
 
-/// Wall-clock time per step, s, of the last run command that `output` of LIGGGHTS tells of ("Loop
-/// time of ... for ... steps"). @throws DataError when there is none, or of no steps.
+/// Reads the wall-clock time per step, s, of the last run command that `output` of LIGGGHTS tells
+/// of ("Loop time of ... for ... steps"). @throws DataError when there is none, or of no steps.
 double time_per_step(const std::string& output);
 
 /// Binds this process, and the programs that it starts, to the last `count` processors it may use,
@@ -35,7 +35,8 @@ class ProcessorPin {
 std::vector<std::vector<double>> measure_in_turns(int contestants, int rounds,
                                                   const std::function<double(int, int)>& measure);
 
-/// The median; of an even number of values the mean of the middle two. @throws DataError if empty.
+/// Returns the median; of an even number of values the mean of the middle two. @throws DataError if
+/// empty.
 double median(std::vector<double> values);
 
 }  // namespace rodpack

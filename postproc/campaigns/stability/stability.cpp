@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
+#include <optional>
 
+#include "reading/csv_file.h"
 #include "reading/data_error.h"
+#include "reading/number_text.h"
+#include "reading/table.h"
+#include "reading/text_file.h"
 #include "rodpack/geometry/mass_properties.h"
 #include "rodpack/motion/stability_limit.h"
-#include "reading/text.h"
 
 namespace rodpack {
 namespace {
@@ -36,73 +38,74 @@ double rod_mass(int spheres) {
 
 std::string method_name(int order) { return order == 0 ? "velocity_verlet" : "adams_bashforth"; }
 
-/// Lines of a table after its header, split at commas; none when there is no such file.
-std::vector<std::vector<std::string>> read_rows(const fs::path& file, const std::string& header) {
-  std::vector<std::vector<std::string>> rows;
-  std::ifstream in(file);
-  if (!in) return rows;
-  const std::size_t fields = std::count(header.begin(), header.end(), ',') + 1;
-  std::string line;
-  std::getline(in, line);
-  if (line != header) throw DataError(file.string() + ":1: expected '" + header + "'");
-  for (long number = 2; std::getline(in, line); ++number) {
-    std::istringstream row(line);
-    rows.emplace_back();
-    for (std::string field; std::getline(row, field, ',');) rows.back().push_back(field);
-    if (rows.back().size() != fields)
-      throw DataError(file.string() + ":" + std::to_string(number) + ": expected " +
-                      std::to_string(fields) + " fields, found " +
-                      std::to_string(rows.back().size()));
-  }
-  return rows;
-}
-
-double number(const fs::path& file, const std::string& field) {
-  char* end = nullptr;
-  const double value = std::strtod(field.c_str(), &end);
-  if (field.empty() || *end != '\0')
-    throw DataError(file.string() + ": expected a number, found '" + field + "'");
-  return value;
-}
-
 std::string table_text(const std::vector<StabilityLimit>& rows) {
   std::string text = std::string(table_header) + "\n";
   for (const auto& row : rows)
-    text += method_name(row.order) + "," + std::to_string(row.order) + "," +
-            number_text(row.damping_ratio) + "," + number_text(row.limit_measured) + "," +
-            number_text(row.limit_theory) + "\n";
+    text +=
+        csv_line({method_name(row.order), std::to_string(row.order), number_text(row.damping_ratio),
+                  number_text(row.limit_measured), number_text(row.limit_theory)}) +
+        "\n";
   return text;
 }
 
 std::string scenes_text(const std::vector<SceneLimit>& rows) {
   std::string text = std::string(scenes_header) + "\n";
   for (const auto& row : rows)
-    text += row.scene + "," + std::to_string(row.order) + "," + number_text(row.damping_ratio) +
-            "," + number_text(row.limit_measured) + "," + number_text(row.limit_check) + "," +
-            number_text(row.limit_single_contact) + "," + number_text(row.factor()) + "\n";
+    text += csv_line({row.scene, std::to_string(row.order), number_text(row.damping_ratio),
+                      number_text(row.limit_measured), number_text(row.limit_check),
+                      number_text(row.limit_single_contact), number_text(row.factor())}) +
+            "\n";
   return text;
 }
 
-/// Largest magnitude in a file of one number per line below a header.
-double largest(const fs::path& file) {
-  std::ifstream in(file);
-  std::string line;
-  double result = -1;
-  std::getline(in, line);
-  while (std::getline(in, line))
-    result = std::max(result, std::fabs(number(file, line.substr(line.find_first_not_of(' ')))));
-  if (result < 0) throw DataError(file.string() + ": missing or empty");
+/// Rows of a table that an earlier measurement left; none when there is no such file.
+std::optional<Table> known_rows(const fs::path& file, const char* header) {
+  if (!fs::exists(file)) return std::nullopt;
+  return read_table(file.string(), header);
+}
+
+std::vector<StabilityLimit> read_limits(const fs::path& file) {
+  std::vector<StabilityLimit> rows;
+  const auto table = known_rows(file, table_header);
+  if (!table) return rows;
+  const auto order = table->whole_numbers("order");
+  const auto &damping = table->column("damping_ratio"), &measured = table->column("limit_measured"),
+             &theory = table->column("limit_theory");
+  for (std::size_t i = 0; i < table->rows(); ++i)
+    rows.push_back({static_cast<int>(order[i]), damping[i], measured[i], theory[i]});
+  return rows;
+}
+
+std::vector<SceneLimit> read_scene_limits(const fs::path& file) {
+  std::vector<SceneLimit> rows;
+  const auto table = known_rows(file, scenes_header);
+  if (!table) return rows;
+  const auto& scene = table->words("scene");
+  const auto order = table->whole_numbers("order");
+  const auto &damping = table->column("damping_ratio"),
+             &measured = table->column("limit_measured_s"), &check = table->column("limit_check_s"),
+             &single = table->column("limit_single_contact_s");
+  for (std::size_t i = 0; i < table->rows(); ++i)
+    rows.push_back(
+        {scene[i], static_cast<int>(order[i]), damping[i], measured[i], check[i], single[i]});
+  return rows;
+}
+
+/// Largest excursion in a file that the deck's `fix print` wrote, in units of the depth at rest.
+double largest_excursion(const fs::path& file) {
+  const Table table = read_table(file.string());
+  if (table.rows() == 0) throw DataError(file.string() + ": expected excursions, found no row");
+  double result = 0;
+  for (const double value : table.column("out")) result = std::max(result, std::fabs(value));
   return result;
 }
 
 /// What fix check/timestep/multisphere took for the limit, s.
 double limit_of_check(const fs::path& folder) {
   const fs::path file = folder / "check.txt";
-  std::ifstream in(file);
-  std::string header, fraction, limit;
-  std::getline(in, header);
-  if (!(in >> fraction >> limit)) throw DataError(file.string() + ": missing or cut short");
-  return number(file, limit);
+  const Table table = read_table(file.string());
+  if (table.rows() == 0) throw DataError(file.string() + ": expected a limit, found no row");
+  return table.column("limit").front();
 }
 
 /// Runs of accuracy/in.stability, each in the same folder.
@@ -121,7 +124,8 @@ class Oscillator {
     run_deck(options_.liggghts, options_.decks + "/accuracy/in.stability", variables_,
              folder_.string());
     if (fs::exists(folder_ / "grown.txt")) return true;
-    const double early = largest(folder_ / "early.txt"), late = largest(folder_ / "late.txt");
+    const double early = largest_excursion(folder_ / "early.txt"),
+                 late = largest_excursion(folder_ / "late.txt");
     // It starts at 1e-3; what has died out to rounding errors does not count.
     return late > 1e-9 && late > 1.002 * early;
   }
@@ -200,10 +204,7 @@ std::vector<StabilityLimit> measure_stability(const StabilityOptions& options,
                                               const Progress& progress) {
   const fs::path file = fs::path(options.folder) / table_name;
   fs::create_directories(options.folder);
-  std::vector<StabilityLimit> known;
-  for (const auto& row : read_rows(file, table_header))
-    known.push_back({static_cast<int>(number(file, row[1])), number(file, row[2]),
-                     number(file, row[3]), number(file, row[4])});
+  std::vector<StabilityLimit> known = read_limits(file);
 
   std::vector<StabilityLimit> result;
   for (const int order : options.orders) {
@@ -234,10 +235,7 @@ std::vector<SceneLimit> measure_stability_scenes(const StabilityOptions& options
                                                  const Progress& progress) {
   const fs::path file = fs::path(options.folder) / scenes_name;
   fs::create_directories(options.folder);
-  std::vector<SceneLimit> known;
-  for (const auto& row : read_rows(file, scenes_header))
-    known.push_back({row[0], static_cast<int>(number(file, row[1])), number(file, row[2]),
-                     number(file, row[3]), number(file, row[4]), number(file, row[5])});
+  std::vector<SceneLimit> known = read_scene_limits(file);
 
   std::vector<SceneLimit> result;
   for (const std::string scene : {"sphere", "rod_flat", "bed_ar5", "bed_ar7"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_STABILITY_H
-#define RODPACK_STABILITY_H
+#ifndef RODPACK_CAMPAIGNS_STABILITY_STABILITY_H
+#define RODPACK_CAMPAIGNS_STABILITY_STABILITY_H
 
 #include <functional>
 #include <string>

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
-#include "figures/figure.h"
 #include "campaigns/stability/stability.h"
+#include "figures/figure.h"
 #include "rodpack/motion/stability_limit.h"
-#include "reading/text.h"
 
 namespace rodpack {
 
 void plot_stability(const std::vector<StabilityLimit>& rows, const std::string& stem) {
-  struct Look {
+  struct CurveStyle {
     const char *title, *colour;
     int point;
   };
-  const Look looks[] = {{"velocity Verlet (built-in)", "#202020", 7},
-                        {"Adams–Bashforth 1", "#56B4E9", 5},
-                        {"Adams–Bashforth 2", "#009E73", 9},
-                        {"Adams–Bashforth 3", colour::vermilion, 13},
-                        {"Adams–Bashforth 4", colour::blue, 11}};
+  const CurveStyle styles[] = {{"velocity Verlet (built-in)", "#202020", 7},
+                               {"Adams–Bashforth 1", "#56B4E9", 5},
+                               {"Adams–Bashforth 2", "#009E73", 9},
+                               {"Adams–Bashforth 3", colour::vermilion, 13},
+                               {"Adams–Bashforth 4", colour::blue, 11}};
   std::string blocks, plots;
   for (int order = 0; order < 5; ++order) {
     std::vector<double> eta, limit, measured_eta, measured;
@@ -33,13 +32,13 @@ void plot_stability(const std::vector<StabilityLimit>& rows, const std::string& 
       limit.push_back(stability_limit(order, eta.back()));
     }
     const std::string name = std::to_string(order);
-    const std::string style = std::string(" linecolor '") + looks[order].colour + "'";
+    const std::string style = std::string(" linecolor '") + styles[order].colour + "'";
     blocks += datablock("theory" + name, {eta, limit}) +
               datablock("measured" + name, {measured_eta, measured});
     plots += (plots.empty() ? "plot " : ", ") + ("$theory" + name) +
              " using 1:2 with lines linewidth 1.2" + style + ", $measured" + name +
              " using 1:2 with points pointsize 1.1 pointtype " +
-             std::to_string(looks[order].point) + style + " title '" + looks[order].title + "'";
+             std::to_string(styles[order].point) + style + " title '" + styles[order].title + "'";
   }
   draw_figure(stem, 1.4,
               blocks +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_ANALYSE_H
-#define RODPACK_ANALYSE_H
+#ifndef RODPACK_REPORT_ANALYSE_RUN_H
+#define RODPACK_REPORT_ANALYSE_RUN_H
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,15 +12,9 @@ namespace rodpack {
 /// tables, figures, VTK files and summary.json into `run_folder`/analysis; of what is there
 /// already, only earlier outputs of its own are removed. Returns the summary. A measurement for
 /// which the bed is too small, or whose contacts are missing or lack normals, is left out, and the
-/// summary's "notes" say so. `all_frames`: export
-/// every frame to VTK, not only the last.
+/// summary's "notes" say so. `all_frames`: export every frame to VTK, not only the last.
 /// @throws DataError when the folder, parameters.json or the bodies' or spheres' dumps are missing.
 nlohmann::ordered_json analyse_run(const std::string& run_folder, bool all_frames);
-
-/// Kinetic and elastic energy over time on a logarithmic axis, from energies.csv (columns time_s,
-/// kinetic_translational_J, kinetic_rotational_J, elastic_normal_J, elastic_tangential_J):
-/// `stem`.png and `stem`.svg.
-void plot_energies(const std::string& energies_csv, const std::string& stem);
 
 }  // namespace rodpack
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "cli/commands.h"
-#include "reading/text.h"
+#include "cli/input.h"
+
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 
