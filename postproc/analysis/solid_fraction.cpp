@@ -8,6 +8,13 @@
 #include "rodpack/averaging/averaging_kernel.h"
 
 namespace rodpack {
+namespace {
+
+// Relative margin of comparisons of lengths: the paper's container leaves exactly 3 w beside its
+// slice, and lengths in parameters.json and dumps are rounded to six digits or more.
+constexpr double rounding = 1e-5;
+
+}  // namespace
 
 SolidFraction solid_fraction(const Packing& packing) {
   const auto& walls = packing.walls;
@@ -17,7 +24,7 @@ SolidFraction solid_fraction(const Packing& packing) {
   field.scale = 3 * packing.axial_length();
   field.surface = packing.surface;
   field.lowest = walls.floor + (walls.bottom ? 3 * field.scale : 0);
-  field.side_distance_kept = !walls.sides || left - walls.left >= 3 * field.scale;
+  field.side_distance_kept = !walls.sides || left - walls.left >= 3 * field.scale * (1 - rounding);
 
   // Share of each particle's area that the kernel puts into the slice's x range, per slice width.
   std::vector<double> share(packing.size());

@@ -21,7 +21,8 @@ struct SolidFraction {
   std::optional<double> up_to_surface;  // mean; none when the bed is lower than 3 w
   std::optional<double> up_to_3_scales_below;  // mean up to 3 w below the surface
   double covered_below_surface = 0;            // covered area over bed area, edges included
-  bool side_distance_kept = false;  // the slice is 3 w away from the side walls, or there are none
+  bool side_distance_kept = false;  // the slice is 3 w, to a relative 1e-5, away from the side
+                                    // walls, or there are none
 };
 
 /// Measures it for one frame.
