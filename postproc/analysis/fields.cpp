@@ -7,14 +7,13 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "reading/angles.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
 #include "rodpack/vtk/field_image.h"
 
 namespace rodpack {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 std::string where(const Frame& frame) {
   return frame.file + ":" + std::to_string(frame.header_line);

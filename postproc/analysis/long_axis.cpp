@@ -5,10 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "reading/angles.h"
+
 namespace rodpack {
-namespace {
-constexpr double degree = 3.14159265358979323846 / 180;
-}
 
 std::vector<double> long_axis_degrees(const std::vector<double>& body, const std::vector<double>& x,
                                       const std::vector<double>& y, double period) {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <complex>
 
+#include "reading/angles.h"
 #include "reading/csv_file.h"
 
 namespace rodpack {
 namespace {
-constexpr double degree = 3.14159265358979323846 / 180;
 
 // value folded into [0, period); a value a rounding error below 0 becomes 0, not the period
 double folded(double value, double period) {

@@ -10,7 +10,6 @@
 
 namespace rodpack {
 namespace {
-constexpr double pi = 3.14159265358979323846;
 
 // The view of the points that nanoflann asks for.
 struct Points {
@@ -21,6 +20,14 @@ struct Points {
   template <class Box>
   bool kdtree_get_bbox(Box&) const {
     return false;
+  }
+
+  /// Places of the centres, each once.
+  std::vector<std::size_t> centres() const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (is_centre[i] && is_original[i]) result.push_back(i);
+    return result;
   }
 };
 
@@ -52,6 +59,87 @@ double disc_area_inside(const Rectangle& box, double x, double y, double r) {
          signed_quarter(left, bottom);
 }
 
+// Particles inside the window, where neighbours count; those inside the region are centres. In a
+// packing that is periodic in x with the images that a centre can see within `reach`.
+Points points_inside(const Packing& packing, const Rectangle& window, const Rectangle& region,
+                     double reach) {
+  const auto& walls = packing.walls;
+  Points points;
+  for (std::size_t i = 0; i < packing.size(); ++i) {
+    if (!window.contains(packing.x[i], packing.y[i])) continue;
+    const bool is_centre = region.contains(packing.x[i], packing.y[i]);
+    const auto add_point = [&](double x, bool is_original) {
+      points.x.push_back(x);
+      points.y.push_back(packing.y[i]);
+      points.is_centre.push_back(is_centre);
+      points.is_original.push_back(is_original);
+    };
+    add_point(packing.x[i], true);
+    if (!walls.sides) {
+      if (packing.x[i] < walls.left + reach) add_point(packing.x[i] + walls.width(), false);
+      if (packing.x[i] > walls.right - reach) add_point(packing.x[i] - walls.width(), false);
+    }
+  }
+  return points;
+}
+
+// Areas of the parts inside `box` of the rings around (x, y), one per bin.
+std::vector<double> ring_areas(const Rectangle& box, double x, double y, double bin,
+                               std::size_t bins) {
+  std::vector<double> areas(bins);
+  double inner = 0;
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double outer = disc_area_inside(box, x, y, static_cast<double>(k + 1) * bin);
+    areas[k] = outer - inner;
+    inner = outer;
+  }
+  return areas;
+}
+
+// Pairs of a centre and a neighbour, one number per bin; adds their variance to `variance`.
+std::vector<double> count_pairs(const Points& points, const std::vector<std::size_t>& centres,
+                                double bin, std::vector<double>& variance) {
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
+                                                   Points, 2, std::size_t>;
+  const Tree tree(2, points, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  const nanoflann::SearchParams any_order(32, 0.F, false);
+  const auto bins = variance.size();
+  const double reach = bin * static_cast<double>(bins);
+  std::vector<double> pairs(bins, 0);
+  std::vector<std::pair<std::size_t, double>> found;
+  for (const auto i : centres) {
+    const double at[2] = {points.x[i], points.y[i]};
+    tree.radiusSearch(at, reach * reach, found, any_order);
+    for (const auto& [j, squared] : found) {
+      const auto k = static_cast<std::size_t>(std::sqrt(squared) / bin);
+      if (j == i || k >= bins) continue;
+      pairs[k] += 1;
+      variance[k] += points.is_centre[j] ? 2 : 1;
+    }
+  }
+  return pairs;
+}
+
+// Relative variance of G from the scatter of rho, one number per bin. rho comes from the region,
+// the neighbours also from around it. A particle at x changes G by the fraction h(x) / (rings of
+// all centres) - [x is a centre] / (number of centres), where h(x) is the area of the ring around x
+// inside the region; independent particles add up in quadrature.
+std::vector<double> density_spread(const Points& points, std::size_t centres,
+                                   const Rectangle& region, const std::vector<double>& rings,
+                                   double bin) {
+  std::vector<double> spread(rings.size(), 0);
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    if (!points.is_original[i]) continue;
+    const auto areas = ring_areas(region, points.x[i], points.y[i], bin, rings.size());
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      const double weight = (rings[k] > 0 ? areas[k] / rings[k] : 0) -
+                            (points.is_centre[i] ? 1 / static_cast<double>(centres) : 0);
+      spread[k] += weight * weight;
+    }
+  }
+  return spread;
+}
+
 }  // namespace
 
 double quarter_disc_area(double r, double a, double b) {
@@ -76,6 +164,17 @@ RdfSample::RdfSample(const RdfOptions& options) : options_(options) {
   expected_.assign(bins, 0);
 }
 
+double RdfSample::margin_of(const Packing& packing) {
+  const auto& walls = packing.walls;
+  if (options_.margin >= 0) return options_.margin * packing.particle_diameter;
+  const double margin = (10 + packing.aspect_ratio) * packing.particle_diameter;
+  double extent = packing.surface - walls.floor;
+  if (walls.sides) extent = std::min(extent, walls.width());
+  if (!(margin > extent / 3)) return margin;
+  margin_reduced_ = true;
+  return extent / 3;
+}
+
 void RdfSample::add(const Packing& packing) {
   const double d = packing.particle_diameter;
   const auto& walls = packing.walls;
@@ -86,37 +185,11 @@ void RdfSample::add(const Packing& packing) {
                     " d_p, exceeds half of the period in x, " +
                     number_text(walls.width() / 2 / d, 4) + " d_p");
 
-  double margin = options_.margin * d;
-  if (options_.margin < 0) {
-    margin = (10 + packing.aspect_ratio) * d;
-    double extent = packing.surface - walls.floor;
-    if (walls.sides) extent = std::min(extent, walls.width());
-    if (margin > extent / 3) {
-      margin = extent / 3;
-      margin_reduced_ = true;
-    }
-  }
+  const double margin = margin_of(packing);
   Rectangle region = inset_bed(packing, margin);
   Rectangle window = inset_bed(packing, std::min(packing.axial_length(), margin));
-
-  std::vector<std::size_t> centres;
-  Points points;
-  for (std::size_t i = 0; i < packing.size(); ++i) {
-    if (!window.contains(packing.x[i], packing.y[i])) continue;
-    const bool is_centre = region.contains(packing.x[i], packing.y[i]);
-    if (is_centre) centres.push_back(points.x.size());
-    const auto add_point = [&](double x, bool is_original) {
-      points.x.push_back(x);
-      points.y.push_back(packing.y[i]);
-      points.is_centre.push_back(is_centre);
-      points.is_original.push_back(is_original);
-    };
-    add_point(packing.x[i], true);
-    if (!walls.sides) {  // periodic images that a centre can see
-      if (packing.x[i] < walls.left + reach) add_point(packing.x[i] + walls.width(), false);
-      if (packing.x[i] > walls.right - reach) add_point(packing.x[i] - walls.width(), false);
-    }
-  }
+  const Points points = points_inside(packing, window, region, reach);
+  const auto centres = points.centres();
   if (centres.size() < 2 || region.right <= region.left || region.top <= region.bottom)
     throw TooFewParticles("RDF: fewer than 2 particles lie further than " +
                           number_text(margin / d, 4) +
@@ -131,48 +204,14 @@ void RdfSample::add(const Packing& packing) {
       rectangle->right += 2 * reach;
     }
 
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
-                                                   Points, 2, std::size_t>;
-  const Tree tree(2, points, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  const nanoflann::SearchParams any_order(32, 0.F, false);
   const auto bins = pairs_.size();
-  std::vector<double> pairs(bins, 0), rings(bins, 0), spread(bins, 0);
-  const auto ring_areas = [&](const Rectangle& box, double x, double y) {
-    std::vector<double> areas(bins);
-    double inner = 0;
-    for (std::size_t k = 0; k < bins; ++k) {
-      const double outer = disc_area_inside(box, x, y, static_cast<double>(k + 1) * bin);
-      areas[k] = outer - inner;
-      inner = outer;
-    }
-    return areas;
-  };
-  std::vector<std::pair<std::size_t, double>> found;
+  const auto pairs = count_pairs(points, centres, bin, variance_);
+  std::vector<double> rings(bins, 0);
   for (const auto i : centres) {
-    const double at[2] = {points.x[i], points.y[i]};
-    tree.radiusSearch(at, reach * reach, found, any_order);
-    for (const auto& [j, squared] : found) {
-      const auto k = static_cast<std::size_t>(std::sqrt(squared) / bin);
-      if (j == i || k >= bins) continue;
-      pairs[k] += 1;
-      variance_[k] += points.is_centre[j] ? 2 : 1;
-    }
-    const auto areas = ring_areas(window, at[0], at[1]);
+    const auto areas = ring_areas(window, points.x[i], points.y[i], bin, bins);
     for (std::size_t k = 0; k < bins; ++k) rings[k] += areas[k];
   }
-
-  // rho comes from the region, the neighbours also from around it. A particle at x changes G by the
-  // fraction h(x) / (rings of all centres) - [x is a centre] / (number of centres), where h(x) is
-  // the area of the ring around x inside the region; independent particles add up in quadrature.
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    if (!points.is_original[i]) continue;
-    const auto areas = ring_areas(region, points.x[i], points.y[i]);
-    for (std::size_t k = 0; k < bins; ++k) {
-      const double weight = (rings[k] > 0 ? areas[k] / rings[k] : 0) -
-                            (points.is_centre[i] ? 1 / static_cast<double>(centres.size()) : 0);
-      spread[k] += weight * weight;
-    }
-  }
+  const auto spread = density_spread(points, centres.size(), region, rings, bin);
   for (std::size_t k = 0; k < bins; ++k) {
     pairs_[k] += pairs[k];
     expected_[k] += density * rings[k];

@@ -50,6 +50,8 @@ class RdfSample {
   Rdf result() const;
 
  private:
+  double margin_of(const Packing& packing);  // m; notes whether it had to shrink
+
   RdfOptions options_;
   std::vector<double> pairs_;
   std::vector<double> variance_;  // of pairs_: a pair of two centres is one event that counts twice

@@ -12,6 +12,8 @@
 
 namespace rodpack {
 
+// Pictures drawn as SVG by ourselves; for the sources of this room only.
+
 /// What the shades of a picture's elements stand for.
 struct ColourScale {
   std::vector<double> values;  // one per element, in the unit of the label; empty: one shade

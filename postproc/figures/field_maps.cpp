@@ -6,6 +6,7 @@
 
 #include "figures/figure.h"
 #include "figures/palette.h"
+#include "reading/angles.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
@@ -88,7 +89,7 @@ void plot_pressure_map(const CoarseGraining& averages, const std::vector<Field>&
       const Vector place = grid.place(at);
       for (const auto& [value, turn] :
            {std::pair{principal.larger, 0.0}, std::pair{principal.smaller, 90.0}}) {
-        const double angle = (principal.direction + turn) * 3.14159265358979323846 / 180;
+        const double angle = (principal.direction + turn) * pi / 180;
         const double length = largest > 0 ? arm * value / largest : 0;
         dx.push_back(length * std::cos(angle));
         dy.push_back(length * std::sin(angle));

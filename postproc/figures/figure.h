@@ -9,6 +9,7 @@ namespace rodpack {
 
 /// Colour-blind-safe line colours (Okabe and Ito), as gnuplot and SVG write them.
 namespace colour {
+
 constexpr const char* blue = "#0072B2";
 constexpr const char* vermilion = "#D55E00";
 constexpr const char* grey = "#7F7F7F";

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "figures/figure.h"
+#include "reading/angles.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
 namespace {
-constexpr double degree = 3.14159265358979323846 / 180;
 
 double largest(const OrientationDistribution& distribution) {
   double value = 0;

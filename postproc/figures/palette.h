@@ -10,6 +10,8 @@
 
 namespace rodpack {
 
+// Colours of pictures; for the sources of this room only.
+
 using Rgb = std::array<double, 3>;  // 0 to 255
 
 /// Sequential, perceptually even and colour-blind-safe ("viridis"): nine of its colours.

@@ -14,10 +14,10 @@
 namespace rodpack {
 namespace {
 
-using Rows = std::vector<AccuracyRow>;
+using RowList = std::vector<AccuracyRow>;
 
-Rows select(const Rows& rows, const std::string& scene, const std::string& method) {
-  Rows result;
+RowList select(const RowList& rows, const std::string& scene, const std::string& method) {
+  RowList result;
   for (const auto& row : rows)
     if (row.scene == scene && row.method == method) result.push_back(row);
   std::sort(result.begin(), result.end(), [](const AccuracyRow& a, const AccuracyRow& b) {
@@ -32,7 +32,7 @@ double between(double x0, double x1, double y0, double y1, double at) {
   return y0 * std::pow(y1 / y0, share);
 }
 
-std::optional<double> error_at(const Rows& rows, double steps) {
+std::optional<double> error_at(const RowList& rows, double steps) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& row = rows[i];
     if (std::fabs(row.steps_per_contact / steps - 1) < 1e-9) return row.error;
@@ -67,7 +67,7 @@ std::string factor(const std::optional<double>& stock, double finest_of_stock,
   return stock ? number_text(*stock / *value, 2) : "> " + number_text(finest_of_stock / *value, 2);
 }
 
-void draw(const Rows& rows, const std::string& scene, const std::vector<std::string>& methods,
+void draw(const RowList& rows, const std::string& scene, const std::vector<std::string>& methods,
           bool against_seconds, double paper_evaluations, const std::string& stem) {
   const std::map<std::string, std::string> colours = {
       {"builtin", colour::grey},   {"ab1", "#E69F00"}, {"ab2", "#56B4E9"},
@@ -117,7 +117,7 @@ void draw(const Rows& rows, const std::string& scene, const std::vector<std::str
 }
 
 /// For each scene and error the method that reaches it with the fewest force evaluations.
-std::string cheapest_table(const Rows& rows, const AccuracySettings& settings) {
+std::string cheapest_table(const RowList& rows, const AccuracySettings& settings) {
   std::string table =
       "\n## The cheapest\nFewest force evaluations to an error; factor: those of `builtin` over "
       "them (>: it does not get there with the finest step).\n\n"

@@ -5,6 +5,7 @@
 
 #include "campaigns/accuracy/accuracy.h"
 #include "campaigns/accuracy/accuracy_references.h"
+#include "reading/angles.h"
 #include "reading/data_error.h"
 #include "reading/number_text.h"
 #include "rodpack/contact/contact_law.h"
@@ -13,7 +14,6 @@
 namespace rodpack {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double density = 2500;   // kg/m^3, as in the decks
 constexpr double diameter = 3e-3;  // m
 constexpr double gap = 1e-4;       // m, before the first touch of the first copy

@@ -7,6 +7,8 @@
 
 namespace rodpack {
 
+// How the references are integrated; for the sources of this room only.
+
 /// A motion y' = rate(y) that is smooth between events, such as the touch of two spheres.
 class HybridSystem {
  public:

@@ -11,7 +11,7 @@
 namespace rodpack {
 namespace {
 
-using Rows = std::vector<BedRow>;
+using RowList = std::vector<BedRow>;
 
 constexpr double aspect_ratio = 5, diameter = 3e-3;  // of the deck's rods, m
 
@@ -58,7 +58,7 @@ std::string error_text(const BedSummary& summary, std::size_t quantity) {
   return summary.at_rest == 0 ? "not at rest" : text(summary.differences[quantity]);
 }
 
-std::string comparison_table(const Rows& rows, const BedComparison& comparison, int rods) {
+std::string comparison_table(const RowList& rows, const BedComparison& comparison, int rods) {
   const auto summaries = summarise_beds(rows, comparison, rods);
   if (summaries.empty()) return "";
   std::string table = "\n### " + comparison.question +
@@ -85,7 +85,7 @@ std::string comparison_table(const Rows& rows, const BedComparison& comparison, 
   return table;
 }
 
-std::string surface_table(const Rows& rows, int rods) {
+std::string surface_table(const RowList& rows, int rods) {
   const auto capsule = [] {
     const double length = (aspect_ratio - 1) * diameter;
     return length * diameter + std::acos(-1.0) / 4 * diameter * diameter;
@@ -129,7 +129,7 @@ std::string first_failure(const std::vector<BedSummary>& steps, double largest) 
               : std::to_string(next->at_rest) + " of " + std::to_string(next->runs) + " at rest");
 }
 
-std::string step_table(const Rows& rows, const std::vector<std::string>& methods, int rods) {
+std::string step_table(const RowList& rows, const std::vector<std::string>& methods, int rods) {
   std::string table =
       "\n### The largest step with the same results\nFrom the finest step up, all runs at rest and "
       "all four means within so many standard errors of the difference from the finest step's. "
@@ -158,7 +158,7 @@ std::string step_table(const Rows& rows, const std::vector<std::string>& methods
 
 }  // namespace
 
-std::string bed_guide(const Rows& rows, const std::vector<std::string>& methods, int rods) {
+std::string bed_guide(const RowList& rows, const std::vector<std::string>& methods, int rods) {
   std::string table =
       "| scene | model | integrator | step, µs | expected error of φ | of E_p, µJ | largest "
       "difference, "
@@ -196,7 +196,7 @@ std::string bed_guide(const Rows& rows, const std::vector<std::string>& methods,
   return table;
 }
 
-std::string beds_section(const Rows& rows, const AccuracySettings& settings) {
+std::string beds_section(const RowList& rows, const AccuracySettings& settings) {
   const BedScene& scene = settings.bed_scene;
   if (rows.empty()) return "";
   std::set<int> seeds;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "campaigns/comparison/comparison.h"
+#include "reading/angles.h"
 #include "reading/csv_file.h"
 
 namespace rodpack {
 namespace {
-constexpr double degrees = 180 / 3.14159265358979323846;
+constexpr double degrees = 180 / pi;  // in a radian
 using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 }  // namespace
 

@@ -4,12 +4,13 @@
 
 #include "campaigns/comparison/comparison.h"
 #include "campaigns/launch/step_timing.h"
+#include "reading/angles.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
 
 namespace rodpack {
 namespace {
-constexpr double degrees = 180 / 3.14159265358979323846;
+constexpr double degrees = 180 / pi;  // in a radian
 
 using Value = std::optional<double>;
 
