@@ -10,7 +10,7 @@
 namespace rodpack {
 namespace {
 
-// value folded into [0, period); a value a rounding error below 0 becomes 0, not the period
+// Folds a value into [0, period); a value a rounding error below 0 becomes 0, not the period.
 double folded(double value, double period) {
   const double rest = value - period * std::floor(value / period);
   return rest < period ? rest : 0;

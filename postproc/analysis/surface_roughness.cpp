@@ -9,7 +9,7 @@
 namespace rodpack {
 namespace {
 
-/// Spacing of the spheres, in d.
+/// Returns the spacing of the spheres, in d.
 double spacing(double overlap) {
   if (!(overlap >= 0 && overlap < 1))
     throw std::invalid_argument("overlap = " + std::to_string(overlap) +
@@ -36,7 +36,7 @@ double chain_force_ratio(double overlap, double depth, double offset) {
   if (!(depth > 0 && depth < 1))
     throw std::invalid_argument("depth = " + std::to_string(depth) + ": expected between 0 and 1");
   const double height = 1 - depth;
-  // spheres in touch are at most this far along the axis
+  // Spheres in touch are at most this far along the axis.
   const double reach = std::sqrt(1 - height * height);
   double force = 0;
   for (long j = std::lround(std::ceil(-reach / s - offset)); (j + offset) * s <= reach; ++j) {

@@ -53,7 +53,8 @@ bool wanted(const AccuracySettings& settings, const char* scene) {
   return std::find(settings.scenes.begin(), settings.scenes.end(), scene) != settings.scenes.end();
 }
 
-/// @throws CLI::ValidationError naming what cannot be run.
+/// Checks the settings before anything runs. @throws CLI::ValidationError naming what cannot be
+/// run.
 void check(const AccuracySettings& settings) {
   try {
     for (const auto& name : settings.scenes)
@@ -99,7 +100,7 @@ void add_bed_options(CLI::App& command, AccuracySettings& settings) {
       ->type_name("N");
 }
 
-/// "a,b,c"
+/// Joins names with commas, as the options take them.
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ",") + name;

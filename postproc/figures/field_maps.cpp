@@ -12,7 +12,7 @@
 namespace rodpack {
 namespace {
 
-// gnuplot's palette of the same colours as our own drawings
+// Returns gnuplot's command for a palette of the same colours as our own drawings.
 std::string palette_command() {
   std::string text = "set palette defined (";
   for (std::size_t k = 0; k < viridis.size(); ++k)
@@ -21,7 +21,7 @@ std::string palette_command() {
   return text + ")\n";
 }
 
-// A map of `values` over the grid, lengths in d_p; `over` is drawn on top of it.
+// Draws a map of `values` over the grid, lengths in d_p; `over` is drawn on top of it.
 void plot_map(const Grid& grid, const std::vector<double>& values, double lowest,
               const std::string& label, const Packing& packing, const std::string& blocks,
               const std::string& over, const std::string& stem) {

@@ -16,7 +16,7 @@
 namespace rodpack {
 namespace {
 
-// A gnuplot string in single quotes, where a quote is written twice.
+// Writes a gnuplot string in single quotes, where a quote is written twice.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);

@@ -17,7 +17,7 @@
 namespace rodpack {
 namespace {
 
-// 0 if nothing says it: contacts know no radius.
+// Returns d_p, m; 0 if nothing says it, since contacts know no radius.
 double particle_diameter(const PackingOptions& options,
                          const std::optional<RunParameters>& parameters) {
   if (options.particle_diameter) return *options.particle_diameter;

@@ -15,7 +15,7 @@ namespace rodpack {
 namespace {
 namespace fs = std::filesystem;
 
-/// Step at which the run ended, as its result.json says; none while it has not ended.
+/// Reads the step at which the run ended, as its result.json says; none while it has not ended.
 std::optional<long> last_step(const fs::path& run) {
   std::ifstream file(run / "result.json");
   if (!file) return {};

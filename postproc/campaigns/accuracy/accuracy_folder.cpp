@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What has to be the same for all rows of a folder.
+/// Returns what has to be the same for all rows of a folder.
 nlohmann::json common(const AccuracySettings& settings) {
   return {{"liggghts", fs::absolute(settings.liggghts.program).lexically_normal().string()},
           {"inputs", settings.inputs},

@@ -26,7 +26,7 @@ RowList select(const RowList& rows, const std::string& scene, const std::string&
   return result;
 }
 
-/// Value of `y` where `x` reaches `at`, on a straight line between logarithms.
+/// Returns the value of `y` where `x` reaches `at`, on a straight line between logarithms.
 double between(double x0, double x1, double y0, double y1, double at) {
   const double share = std::log(at / x0) / std::log(x1 / x0);
   return y0 * std::pow(y1 / y0, share);
@@ -75,7 +75,7 @@ void draw(const RowList& rows, const std::string& scene, const std::vector<std::
       {"ab3e", colour::vermilion}, {"ab4e", "#CC79A7"}};
   std::string blocks, curves;
   double largest = 1e-15, least_cost = INFINITY, most_cost = 0;
-  // open signs, so that curves on each other show
+  // The signs are open, so that curves that lie on each other show.
   constexpr int points[] = {6, 4, 8, 10, 12, 14, 1, 2};
   std::size_t point = 0;
   for (const auto& method : methods) {
@@ -116,7 +116,7 @@ void draw(const RowList& rows, const std::string& scene, const std::vector<std::
                   number_text(std::min(largest * 2, 10.0)) + "]\n" + curves + "\n");
 }
 
-/// For each scene and error the method that reaches it with the fewest force evaluations.
+/// Lists for each scene and error the method that reaches it with the fewest force evaluations.
 std::string cheapest_table(const RowList& rows, const AccuracySettings& settings) {
   std::string table =
       "\n## The cheapest\nFewest force evaluations to an error; factor: those of `builtin` over "

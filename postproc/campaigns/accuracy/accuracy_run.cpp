@@ -49,7 +49,7 @@ double error_of(const AccuracyScene& scene, const std::string& folder) {
   }
 }
 
-/// Median time of a step, s, at a step so short that the run takes `timed_steps`.
+/// Measures the median time of a step, s, at a step so short that the run takes `timed_steps`.
 double seconds_per_step(const AccuracySettings& settings, const std::string& folder,
                         const AccuracyScene& scene, const AccuracyMethod& method) {
   const ProcessorPin pinned(1);

@@ -31,7 +31,7 @@ void set_law(AccuracyScene& scene, const ReferenceLaw& law) {
 
 double square(double x) { return x * x; }
 
-/// Root mean square of error(copy); `columns` are those it reads.
+/// Returns the root mean square of error(copy) over the copies; infinite when bodies were lost.
 template <class Error>
 double rms(const Frame& end, int copies, int bodies_each, Error error) {
   if (end.rows != static_cast<std::size_t>(copies * bodies_each)) return lost;

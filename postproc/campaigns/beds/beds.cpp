@@ -37,7 +37,8 @@ std::string header() {
   return csv_line(names);
 }
 
-// From the stability limit of velocity Verlet down to half the paper's.
+// Time steps that are compared, s, from the stability limit of velocity Verlet down to half the
+// paper's.
 const double steps[] = {6.6e-5, 4.4e-5, 3.3e-5, 2.75e-5, 2.2e-5, 1.65e-5, 1.1e-5, 0.55e-5};
 
 bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b); }
@@ -62,7 +63,7 @@ std::vector<BedComparison> all_comparisons(const std::vector<std::string>& metho
   std::vector<BedComparison> all;
 
   BedComparison surface{"surface", "How many primary spheres does a rod need?", {}};
-  // The more spheres side by side, the stiffer two rods that lie on each other: shorter steps.
+  // The more spheres lie side by side, the stiffer two rods on each other: they need shorter steps.
   for (const auto& [overlap, step] : {std::pair(0.0, paper_step),
                                       {0.5, paper_step},
                                       {0.75, 0.75 * paper_step},
@@ -109,7 +110,7 @@ std::vector<BedComparison> all_comparisons(const std::vector<std::string>& metho
   return all;
 }
 
-/// Column `planar`.
+/// Returns what column `planar` says.
 std::string motion_text(const BedModel& model) {
   return model.engine ? "engine" : model.planar ? "yes" : "no";
 }

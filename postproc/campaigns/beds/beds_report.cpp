@@ -15,7 +15,7 @@ using RowList = std::vector<BedRow>;
 
 constexpr double aspect_ratio = 5, diameter = 3e-3;  // of the deck's rods, m
 
-/// As many digits as the error tells, one of its own and one more.
+/// Writes a mean with as many digits as its error tells: down to the error's second one.
 std::string text(const SeedMean& mean) {
   double value = mean.value;
   const double error = mean.error;
@@ -116,7 +116,7 @@ std::string surface_table(const RowList& rows, int rods) {
   return table;
 }
 
-/// What stopped the step from growing: the first step above `largest`.
+/// Says what stopped the step from growing: what the first step above `largest`, s, did.
 std::string first_failure(const std::vector<BedSummary>& steps, double largest) {
   const BedSummary* next = nullptr;
   for (const auto& step : steps)

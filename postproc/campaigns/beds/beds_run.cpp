@@ -21,7 +21,7 @@ namespace {
 constexpr double diameter = 3e-3;  // m, as in the deck
 constexpr double gravity = 9.81;   // m/s^2
 
-/// Processor time of all programs this one has waited for, s.
+/// Returns the processor time of all programs that this one has waited for, s.
 double processor_time_of_runs() {
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);

@@ -29,7 +29,7 @@ class Stages {
 
   std::string folder(const std::string& name) const { return (runs_ / name).string(); }
 
-  /// The start states, of exact and of sampled bodies.
+  /// Makes the start states, of exact and of sampled bodies.
   void start() {
     say("start state of " + std::to_string(options_.particles) + " rods");
     run("start", {{"stage", "start"}});

@@ -11,7 +11,7 @@ namespace {
 
 void raise(double& largest, double value) { largest = std::max(largest, std::abs(value)); }
 
-/// Angle of each body's x axis above the x-y plane, rad.
+/// Returns the angle of each body's x axis above the x-y plane, rad.
 std::vector<double> elevations(const Frame& frame) {
   const auto& w = frame.column("qw");
   const auto& x = frame.column("qx");

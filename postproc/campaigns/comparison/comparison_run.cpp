@@ -19,7 +19,7 @@ ChainShape rod(const RunParameters& parameters) {
   return {parameters.number("aspect_ratio"), diameter, 0.5, 0, diameter};
 }
 
-/// The value that all bodies have in a column.
+/// Returns the value that all bodies have in a column.
 double common_value(const Frame& frame, const std::string& column) {
   const auto& values = frame.column(column);
   if (values.empty()) throw DataError(frame.file + ": no bodies in the frame");

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The line that says what went wrong: the first that starts with ERROR, else the last one.
+/// Finds the line that says what went wrong: the first that starts with ERROR, else the last one.
 std::string error_line(const std::string& output) {
   std::istringstream lines(output);
   std::string line, last;

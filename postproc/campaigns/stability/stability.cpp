@@ -29,7 +29,7 @@ const char* const table_header = "method,order,damping_ratio,limit_measured,limi
 const char* const scenes_header =
     "scene,order,damping_ratio,limit_measured_s,limit_check_s,limit_single_contact_s,factor";
 
-/// Mass of a smooth rod of `spheres` spheres (1: a sphere) of the decks, kg.
+/// Returns the mass of a smooth rod of `spheres` spheres (1: a sphere) of the decks, kg.
 double rod_mass(int spheres) {
   const double diameter = 3e-3;
   const ChainShape shape{0.5 * (spheres + 1), diameter, 0.5, 0, diameter};
@@ -58,7 +58,7 @@ std::string scenes_text(const std::vector<SceneLimit>& rows) {
   return text;
 }
 
-/// Rows of a table that an earlier measurement left; none when there is no such file.
+/// Reads the rows of a table that an earlier measurement left; none when there is no such file.
 std::optional<Table> known_rows(const fs::path& file, const char* header) {
   if (!fs::exists(file)) return std::nullopt;
   return read_table(file.string(), header);
@@ -91,7 +91,8 @@ std::vector<SceneLimit> read_scene_limits(const fs::path& file) {
   return rows;
 }
 
-/// Largest excursion in a file that the deck's `fix print` wrote, in units of the depth at rest.
+/// Returns the largest excursion in a file that the deck's `fix print` wrote, in units of the depth
+/// at rest.
 double largest_excursion(const fs::path& file) {
   const Table table = read_table(file.string());
   if (table.rows() == 0) throw DataError(file.string() + ": expected excursions, found no row");
@@ -100,7 +101,7 @@ double largest_excursion(const fs::path& file) {
   return result;
 }
 
-/// What fix check/timestep/multisphere took for the limit, s.
+/// Returns what fix check/timestep/multisphere took for the limit, s.
 double limit_of_check(const fs::path& folder) {
   const fs::path file = folder / "check.txt";
   const Table table = read_table(file.string());

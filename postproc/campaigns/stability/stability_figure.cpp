@@ -27,7 +27,7 @@ void plot_stability(const std::vector<StabilityLimit>& rows, const std::string& 
     }
     if (measured.empty()) continue;
     for (int k = 0; k <= 180; ++k) {
-      // closer to 0, where the curve of order 2 is steep
+      // The points lie closer to 0, where the curve of order 2 is steep.
       eta.push_back(0.9 * (k / 180.0) * (k / 180.0));
       limit.push_back(stability_limit(order, eta.back()));
     }
