@@ -119,9 +119,7 @@ struct PlanarScene::Data {
     const int count = settings.order - 1;
     return static_cast<int>((k - now % count + count) % count);
   }
-  TangentialStep tangential_step() const {
-    return {settings.order, static_cast<double>(now), settings.dt};
-  }
+  TangentialStep tangential_step() const { return {settings.order, now, settings.dt}; }
   /// Past the start-up, and all that events may look at is known.
   int full_count() const { return slots + 1; }
 
