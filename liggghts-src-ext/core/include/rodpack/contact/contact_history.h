@@ -44,7 +44,7 @@ struct TangentialHistory {
   double friction = 0.0, stiffness = 0.0, damping = 0.0;
 
   TangentialHistory() = default;
-  explicit TangentialHistory(int slots) : slots(slots) {}
+  explicit TangentialHistory(int velocities) : slots(velocities) {}
 };
 
 /// Doubles that each takes.

@@ -303,7 +303,8 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history,
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
   for (int d = 0; d < 3; ++d) {
     now[d] = -trial_force(kt, history.spring[d], gamma, velocity[d]);
-    rate[d] = (now[d] - kt * past.spring[d] - gamma * past.velocity[d]) / dt;
+    const double before = trial_force(kt, past.spring[d], gamma, past.velocity[d]);
+    rate[d] = (now[d] + before) / dt;
   }
   events.add(contact, change_in_space(contact, now, rate, since), true);
 }
