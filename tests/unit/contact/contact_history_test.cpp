@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "rodpack/contact/contact_history.h"
+#include "rodpack/contact/planar_history.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -70,6 +72,44 @@ TEST(ContactHistory, ZerosAreNoContact) {
   pack(NormalHistory(), stored.data());
   pack(TangentialHistory(3), stored.data() + stored_normal_values);
   EXPECT_EQ(stored, zeros);
+}
+
+// Along the tangent (-0.8, 0.6) of the normal (0.6, 0.8), and back.
+TEST(ContactHistory, InThePlaneVectorsHaveOneComponent) {
+  const Vector2<double> normal = {0.6, 0.8};
+  NormalHistory normal_force;
+  normal_force.viscoelastic = -2;
+  normal_force.touch_rate = 7;
+  normal_force.just_touched = true;
+  TangentialHistory friction(2);
+  const double spring[3] = {-0.8 * 5, 0.6 * 5, 0}, velocity[3] = {0.8 * 3, -0.6 * 3, 0};
+  std::copy(spring, spring + 3, friction.spring);
+  std::copy(velocity, velocity + 3, friction.velocity[1]);
+  friction.known = 3;
+  friction.sliding = true;
+  friction.since = 0.25;
+  const PlanarHistory planar = to_plane(normal_force, friction, normal);
+  EXPECT_DOUBLE_EQ(planar.spring, 5);
+  EXPECT_EQ(planar.velocity[0], 0);
+  EXPECT_DOUBLE_EQ(planar.velocity[1], -3);
+  EXPECT_EQ(planar.viscoelastic, -2);
+  EXPECT_TRUE(planar.sliding && planar.just_touched);
+
+  NormalHistory normal_back;
+  TangentialHistory back(2);
+  to_space(planar, normal, normal_back, back);
+  for (int d = 0; d < 3; ++d) {
+    EXPECT_DOUBLE_EQ(back.spring[d], spring[d]);
+    EXPECT_DOUBLE_EQ(back.velocity[1][d], velocity[d]);
+  }
+  EXPECT_EQ(back.known, 3);
+  EXPECT_TRUE(back.sliding && normal_back.just_touched);
+  EXPECT_EQ(back.since, 0.25);
+  EXPECT_EQ(normal_back.viscoelastic, -2);
+  EXPECT_EQ(normal_back.touch_rate, 7);
+  // i and j change places: the normal turns round, and LIGGGHTS changes the sign of vectors.
+  for (int d = 0; d < 3; ++d) friction.spring[d] = -friction.spring[d];
+  EXPECT_DOUBLE_EQ(to_plane(normal_force, friction, {-0.6, -0.8}).spring, 5);
 }
 
 }  // namespace rodpack

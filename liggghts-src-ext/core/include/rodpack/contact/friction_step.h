@@ -118,14 +118,14 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
   const double share = result.since / step.dt;
   for (int d = 0; d < 3; ++d) {
     const double then = (1.0 - share) * step.velocity[0][d] + share * step.velocity[1][d];
-    spring[d] = -at_change / step.stiffness * direction[d] +
+    spring[d] = carrying_spring(at_change, step.stiffness) * direction[d] +
                 0.5 * result.since * (step.velocity[0][d] + then);
   }
   stick();
   const double strength = std::sqrt(dot(result.force, result.force));
   if (strength > cap)
     for (int d = 0; d < 3; ++d) {
-      spring[d] = -cap / step.stiffness * direction[d];
+      spring[d] = carrying_spring(cap, step.stiffness) * direction[d];
       result.force[d] = cap / strength * result.force[d];
     }
 

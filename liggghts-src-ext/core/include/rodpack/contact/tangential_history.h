@@ -219,8 +219,9 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
   const double since = past.since;
   for (int d = 0; d < 3; ++d) {
     const double at_touch = trial_force(kt, past.spring[d], gamma, past.velocity[d]);
+    // of spring and dashpot: as the force itself, with velocity and acceleration
     const double applied =
-        -kt * (past.velocity[d] - jump.velocity[d]) - gamma * jump.acceleration[d];
+        trial_force(kt, past.velocity[d] - jump.velocity[d], gamma, jump.acceleration[d]);
     missed.rate[d] = (force[d] - at_touch) / dt - applied;
     missed.now[d] = missed.rate[d] * dt;
     missed.impulse[d] = 0.5 * missed.rate[d] * (dt * dt - since * since);
