@@ -2,9 +2,11 @@
 #ifndef RODPACK_PLANAR_FORCES_H
 #define RODPACK_PLANAR_FORCES_H
 
-#include "blocks.h"
+#include "block_layout.h"
 #include "contact.h"
-#include "rodpack/planar/scene.h"
+#include "parts.h"
+#include "rodpack/motion/multistep.h"
+#include "rodpack/planar/instructions.h"
 
 namespace rodpack {
 
