@@ -107,7 +107,7 @@ void PlanarBlocks::sort(const PlanarParts& parts, PlanarDependencies& dependenci
   for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
     pool->sort(parts);
     for (int place = 0; place < pool->size(); ++place) {
-      const PlanarBlockHead& head = pool->heads[place];
+      const PlanarBlockHead& head = pool->head(place);
       if (head.used != 0) dependencies.add_contact(head.i, head.j, pool->part_of(place));
     }
   }

@@ -2,7 +2,10 @@
 #include "blocks.h"
 
 #include <algorithm>
+#include <bitset>
 #include <limits>
+
+#include "forces.h"
 
 namespace rodpack {
 
@@ -33,6 +36,12 @@ void PlanarBlockPool::remove_all_of(int body) {
     --filled_;
   }
   of_body_[body].clear();
+}
+
+std::size_t PlanarBlockPool::contacts() const {
+  std::size_t count = 0;
+  for (const PlanarBlockHead& head : heads) count += std::bitset<8>(head.alive).count();
+  return count;
 }
 
 std::pair<int, int> PlanarBlockPool::find(int i, int sphere_i, int j, int sphere_j) const {
@@ -92,6 +101,17 @@ void PlanarBlockPool::forget(int body, int place) {
     list.pop_back();
     return;
   }
+}
+
+void PlanarBlockPool::set_arguments(int part, PlanarForces& forces) {
+  forces.heads = heads.data();
+  forces.values = all_values_.data();
+  forces.block_laws = laws.data();
+  forces.touching = touching(part);
+  forces.others = others(part);
+  forces.rows = rows();
+  forces.newest = velocity(0, true);
+  for (int k = 0; k < std::min(slots, max_multistep_order); ++k) forces.velocity[k] = velocity(k);
 }
 
 void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {

@@ -15,6 +15,7 @@
 namespace rodpack {
 
 class PlanarDependencies;
+struct PlanarForces;
 
 /// What the SIMD loops never read of a block: which spheres it pairs, and what a contact remembers
 /// of its first steps.
@@ -51,6 +52,7 @@ class PlanarBlockPool {
   void resize(int bodies) { of_body_.resize(bodies); }
   int size() const { return static_cast<int>(heads.size()); }  // with holes
   int filled() const { return filled_; }                       // without
+  std::size_t contacts() const;                                // lanes that are alive
   /// Places of the blocks of a body, in no particular order.
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
@@ -82,7 +84,10 @@ class PlanarBlockPool {
   }
   /// What follows is done for blocks that are so many steps ahead of the last turn.
   void look_ahead(int steps) { ahead_ = steps; }
-  int rows() const { return planar_velocities / planar_row + slots; }
+  /// Sets what the SIMD loop needs to evaluate the blocks of a part.
+  void set_arguments(int part, PlanarForces& forces);
+  const PlanarBlockHead& head(int place) const { return heads[place]; }
+  const PlanarBlockBirth& birth(int place) const { return births[place]; }
   /// The numbers of a block, from that of the first lane of the first row.
   double* values(int place) { return all_values_.data() + values_place(place); }
   const double* values(int place) const { return all_values_.data() + values_place(place); }
@@ -104,6 +109,7 @@ class PlanarBlockPool {
     const std::size_t group = place / planar_group;
     return group * rows() * planar_row + place % planar_group * planar_lanes;
   }
+  int rows() const { return planar_velocities / planar_row + slots; }
   int ring_place(int k) const { return ((newest_ + k) % slots + slots) % slots; }
 
   int take_hole(int part);

@@ -22,9 +22,9 @@ namespace rodpack {
 class PlanarForceEvaluator {
  public:
   /// All that is given has to outlive it.
-  PlanarForceEvaluator(const PlanarSettings& settings, PlanarBodies& bodies,
-                       const PlanarNeighbours& neighbours, PlanarBlocks& blocks,
-                       PlanarEvents& events);
+  PlanarForceEvaluator(const PlanarSettings& settings, const PlanarKernel& kernel,
+                       PlanarBodies& bodies, const PlanarNeighbours& neighbours,
+                       PlanarBlocks& blocks, PlanarEvents& events);
 
   /// Evaluates the contacts that part `part` completes, at the positions of step `step`.
   void evaluate(int part, long step);
@@ -35,7 +35,6 @@ class PlanarForceEvaluator {
   int full_count() const { return slots + 1; }
   /// Whether events of contacts are followed.
   bool follows_events() const { return follows; }
-  const PlanarKernel& kernel() const { return kernel_; }
   /// Contacts that have taken the general path so far.
   long general_contacts() const { return general_contacts_; }
 
@@ -57,7 +56,7 @@ class PlanarForceEvaluator {
   const PlanarNeighbours& neighbours_;
   PlanarBlocks& blocks_;
   PlanarEvents& events;
-  const PlanarKernel kernel_;
+  const PlanarKernel& kernel_;
   std::vector<PlanarLawConstants> laws;  // of each pair of types
   AlignedVector<PlanarWallLine> wall_lines_;
   long now = 0;  // the step that is evaluated

@@ -10,7 +10,8 @@
 
 namespace rodpack {
 
-PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, PlanarBodies& of_bodies,
+PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const PlanarKernel& kernel,
+                                           PlanarBodies& of_bodies,
                                            const PlanarNeighbours& neighbours, PlanarBlocks& blocks,
                                            PlanarEvents& of_contacts)
     : settings(given),
@@ -20,7 +21,7 @@ PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, PlanarBo
       neighbours_(neighbours),
       blocks_(blocks),
       events(of_contacts),
-      kernel_(planar_kernel(given.instructions)) {
+      kernel_(kernel) {
   for (const PlanarWall& wall : settings.walls)
     wall_lines_.push_back({wall.axis == 0 ? 1.0 : 0.0, wall.axis == 1 ? 1.0 : 0.0, wall.position,
                            static_cast<double>(wall.free_side)});
@@ -36,13 +37,7 @@ void PlanarForceEvaluator::evaluate(int part, long step) {
 
 PlanarForces PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
   PlanarForces forces = PlanarForces();
-  forces.heads = pool.heads.data();
-  forces.values = pool.values(0);
-  forces.block_laws = pool.laws.data();
-  forces.touching = pool.touching(part);
-  forces.others = pool.others(part);
-  forces.rows = pool.rows();
-  forces.newest = pool.velocity(0, true);
+  pool.set_arguments(part, forces);
   forces.frames = bodies.frame_array();
   forces.moved = neighbours_.moved();
   forces.loads = bodies.load_array();
@@ -52,10 +47,7 @@ PlanarForces PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
   forces.walls = wall_lines_.data();
   forces.order = settings.order;
   const MultistepWeights& weights = adams_bashforth_weights(settings.order);
-  for (int k = 0; k < settings.order; ++k) {
-    forces.velocity[k] = pool.velocity(k);
-    forces.spring_weights[k] = settings.dt * weights[k];
-  }
+  for (int k = 0; k < settings.order; ++k) forces.spring_weights[k] = settings.dt * weights[k];
   forces.follows = follows;
   if (static_cast<int>(work_.general.size()) < pool.size()) {
     work_.general.resize(pool.size());

@@ -149,7 +149,7 @@ void PlanarNeighbours::list(int body) {
   for (PlanarBlockPool* pool : {&blocks_.pairs, &blocks_.at_walls}) {
     for (const int place : pool->of_body(body))
       for (int lane = 0; lane < planar_lanes; ++lane)
-        if (pool->heads[place].alive & 1 << lane) {
+        if (pool->head(place).alive & 1 << lane) {
           contacts.push_back(PlanarLaneState());
           pool->save(place, lane, contacts.back());
         }
@@ -228,8 +228,8 @@ void PlanarNeighbours::add_blocks(int i, int j) {
 
 void PlanarNeighbours::fill_block(PlanarBlockPool& pool, int place,
                                   const double (&gammas)[2]) const {
-  const PlanarBlockHead& head = pool.heads[place];
-  const PlanarBlockBirth& birth = pool.births[place];
+  const PlanarBlockHead& head = pool.head(place);
+  const PlanarBlockBirth& birth = pool.birth(place);
   const PlanarSphere on_wall = PlanarSphere();
   const PlanarSphere* const of_i = bodies_.spheres(head.i);
   const PlanarSphere* const of_j = head.j < 0 ? &on_wall : bodies_.spheres(head.j);

@@ -2,7 +2,6 @@
 #include "rodpack/planar/scene.h"
 
 #include <algorithm>
-#include <bitset>
 #include <stdexcept>
 #include <string>
 
@@ -107,6 +106,7 @@ struct PlanarScene::Data : private PlanarPartStep {
 
   const PlanarSettings settings;
   const PlanarParts parts;
+  const PlanarKernel kernel;
   PlanarBodies bodies;
   PlanarBlocks blocks;
   PlanarEvents events;
@@ -131,12 +131,13 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
                         PlanarRanks* ranks)
     : settings(given),
       parts{static_cast<int>(all.size()), bodies_in_part},
+      kernel(planar_kernel(given.instructions)),
       bodies(settings, parts, all),
       blocks(bodies.size(), std::max(given.order, given.remembered)),
       events(parts),
       dependencies(parts),
       neighbours(settings, bodies, parts, blocks, dependencies),
-      forces(settings, bodies, neighbours, blocks, events),
+      forces(settings, kernel, bodies, neighbours, blocks, events),
       ghosts(bodies, neighbours, events),
       pipeline_(parts, dependencies) {
   events.resize(bodies.size());
@@ -205,7 +206,7 @@ bool PlanarScene::Data::move(int step, int part) {
   neighbours.set_arguments(steps_of_pass_ - 1 - step, motions);
   to_list.resize(motions.bodies.end - motions.bodies.first);
   motions.to_list = to_list.data();
-  to_list.resize(forces.kernel().advance(motions));
+  to_list.resize(kernel.advance(motions));
   return !to_list.empty();
 }
 
@@ -265,13 +266,13 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
 std::vector<PlanarContactState> PlanarScene::contacts() const {
   std::size_t count = 0;
   for (const PlanarBlockPool* pool : {&data_->blocks.pairs, &data_->blocks.at_walls})
-    for (const PlanarBlockHead& head : pool->heads) count += std::bitset<8>(head.alive).count();
+    count += pool->contacts();
   std::vector<PlanarContactState> result;
   result.reserve(count);
   for (const PlanarBlockPool* pool : {&data_->blocks.pairs, &data_->blocks.at_walls})
     for (int place = 0; place < pool->size(); ++place)
       for (int lane = 0; lane < planar_lanes; ++lane)
-        if (pool->heads[place].alive & 1 << lane)
+        if (pool->head(place).alive & 1 << lane)
           result.push_back(data_->forces.contact_state(*pool, place, lane));
   return result;
 }
