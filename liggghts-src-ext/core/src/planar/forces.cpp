@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of one step: what is common to its contacts, and the general path, one contact at a time
-// by the formulas that the sphere-level styles call.
+// Contact forces: what the SIMD loops are given, and the general path, one contact at a time.
 #include <algorithm>
 #include <cmath>
 

@@ -39,7 +39,7 @@ void PlanarNeighbours::resize(int bodies) {
   for (PlanarBlockPool* pool : {&blocks_.pairs, &blocks_.at_walls}) pool->resize(bodies);
 }
 
-/// The body is about to be listed where it is.
+/// Makes the present position of the body its reference position, and sets its skin.
 void PlanarNeighbours::set_reference(int body) {
   const PlanarFrame& frame = bodies_.frame(body);
   const double displacement = bodies_.step_displacement(body);
@@ -48,7 +48,7 @@ void PlanarNeighbours::set_reference(int body) {
   listed_[body] = {frame.x, frame.y, frame.cosine, frame.sine, bodies_.info(body).reach, skin};
   set_lanes(body, listed_[body]);
   moved_[body] = 0.0;
-  // `moved_` may be the square root of 2 times too large.
+  // The bound in `moved_` may be the square root of 2 times too large.
   const double covered = before_its_skin * skin / (std::sqrt(2.0) * displacement);
   if (covered < steps_of_listed_) {
     steps_of_listed_ = std::max(1, static_cast<int>(covered));
@@ -109,7 +109,7 @@ void PlanarNeighbours::remove_ghost(int ghost) {
   if (exist_) grid_.remove(ghost);
 }
 
-/// As the SIMD loop does with the bodies of this rank.
+/// The SIMD loop that advances the bodies of this rank does the same with them.
 bool PlanarNeighbours::follow_ghost(int ghost) {
   const PlanarFrame& frame = bodies_.frame(ghost);
   const PlanarListed& at = listed_[ghost];
@@ -178,7 +178,7 @@ void PlanarNeighbours::list_walls(int i) {
   }
 }
 
-/// Of body i with body j, or wall -1 - j.
+/// The coefficients of contacts of body i with body j, or with wall -1 - j.
 PlanarNeighbours::Coefficients PlanarNeighbours::coefficients(int i, int j) const {
   const PlanarBodyInfo& of_i = bodies_.info(i);
   const double m = of_i.mass;

@@ -20,13 +20,14 @@ namespace rodpack {
 /// so that no body has to be listed because another one moved. Candidates go into blocks.
 class PlanarNeighbours {
  public:
-  /// All but `settings` and `bodies` are changed by what is listed; they have to outlive it.
+  /// All that is given has to outlive the lists, which change `blocks` and `dependencies`.
   PlanarNeighbours(const PlanarSettings& settings, const PlanarBodies& bodies,
                    const PlanarParts& parts, PlanarBlocks& blocks,
                    PlanarDependencies& dependencies);
 
+  /// Makes room for so many bodies, ghosts too.
   void resize(int bodies);
-  /// Reach of the longest body of all ranks, m; before list_all().
+  /// Sets the reach of the longest body of all ranks, m; before list_all().
   void set_longest_reach(double reach) { longest_reach_ = reach; }
 
   bool exist() const { return exist_; }
@@ -35,22 +36,23 @@ class PlanarNeighbours {
   /// Makes the lists of these bodies anew; their contacts keep their history.
   void list_anew(const std::vector<int>& bodies);
 
-  /// A new ghost; it has to be listed with list_anew() if lists exist already.
+  /// Takes in a new ghost; it has to be listed with list_anew() if lists exist already.
   void add_ghost(int ghost);
   void remove_ghost(int ghost);
   /// Notes how far a ghost has moved; returns whether it has to be listed anew.
   bool follow_ghost(int ghost);
 
-  /// Steps in which no body moves by more than its skin, at least 1.
+  /// The number of steps in which no body moves by more than its skin, at least 1.
   int steps_within_skins() const { return steps_within_skins_; }
-  /// From now on that is asked of the bodies alone that were listed since the last call.
+  /// Lets steps_within_skins() forget the bodies that were not listed since the last call.
   void renew_steps_within_skins();
 
   /// Sets what the SIMD loop needs to find the bodies that have left their skin, or will in
   /// `steps_ahead` further steps.
   void set_arguments(int steps_ahead, PlanarMotions& motions);
-  /// Of each body since it was listed, an upper bound, m.
+  /// Upper bounds on how far each body has moved since it was listed, m.
   const double* moved() const { return moved_.data(); }
+  /// The number of lists of single bodies that were made anew.
   long listings() const { return listings_; }
 
  private:
@@ -62,9 +64,9 @@ class PlanarNeighbours {
   void list_walls(int i);
   PlanarChain chain(int body) const;
   void add_blocks(int i, int j);
-  struct Coefficients {  // of a block
-    int law;
-    double gamma[2];
+  struct Coefficients {  // of the contacts of a block
+    int law;             // index of the constants of both types
+    double gamma[2];     // dashpots along the normal and the tangent, kg/s
   };
   Coefficients coefficients(int i, int j) const;
   void fill_block(PlanarBlockPool& pool, int place, const double (&gammas)[2]) const;
@@ -86,9 +88,9 @@ class PlanarNeighbours {
 
   // Memory that listing works in.
   struct Workspace {
-    std::vector<int> near;
-    std::vector<PlanarCandidate> candidates;
-    std::vector<PlanarLaneState> contacts;  // of a body while it is listed anew
+    std::vector<int> near;                    // bodies that may have candidates with one
+    std::vector<PlanarCandidate> candidates;  // of two bodies
+    std::vector<PlanarLaneState> contacts;    // of a body while it is listed anew
   };
   Workspace work_;
 };
