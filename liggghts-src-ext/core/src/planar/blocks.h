@@ -36,9 +36,10 @@ struct PlanarLaneState {
   double spring, velocity[max_multistep_order], uncut, touch_rate, since;
 };
 
-/// Blocks in groups, and an index of the blocks of each body. Places that no block has are holes:
-/// nothing is alive in them, their gap is infinite, they name a body or wall that is there, and the
-/// spheres that they name do not coincide, so that their distance has an inverse.
+/// Blocks in groups, and an index of the blocks of each body. Places that no block has are holes,
+/// which the SIMD loops may take like blocks: nothing is alive in them, their gap is infinite, they
+/// name a body or wall that is there, and their spheres do not coincide, so that the distance of
+/// these has an inverse.
 ///
 /// sort() puts the blocks into the order in which their bodies move, part by part, so that forces
 /// follow the motion while both are in the cache. A new block takes the place of one that has just
@@ -50,9 +51,12 @@ class PlanarBlockPool {
   PlanarBlockPool(int bodies, int slots, int hole_j);
 
   void resize(int bodies) { of_body_.resize(bodies); }
-  int size() const { return static_cast<int>(heads.size()); }  // with holes
-  int filled() const { return filled_; }                       // without
-  std::size_t contacts() const;                                // lanes that are alive
+  /// The number of places, holes too.
+  int size() const { return static_cast<int>(heads.size()); }
+  /// The number of blocks.
+  int filled() const { return filled_; }
+  /// The number of lanes whose spheres are in contact.
+  std::size_t contacts() const;
   /// Places of the blocks of a body, in no particular order.
   const std::vector<int>& of_body(int body) const { return of_body_[body]; }
 
@@ -70,6 +74,7 @@ class PlanarBlockPool {
   PlanarRange touching(int part) const;
   /// The other blocks of a part, in whole groups; of the last part: new ones too.
   PlanarRange others(int part) const;
+  /// The part with which a place is evaluated.
   int part_of(int place) const;
 
   /// Offset of the velocities k steps back among a block's numbers; `turned`: as it will be after
@@ -82,7 +87,8 @@ class PlanarBlockPool {
     newest_ = ring_place(-steps);
     ahead_ = 0;
   }
-  /// What follows is done for blocks that are so many steps ahead of the last turn.
+  /// Until the next turn, velocities are counted from so many steps after the last one: a part of
+  /// the bodies may be some steps ahead of others.
   void look_ahead(int steps) { ahead_ = steps; }
   /// Sets what the SIMD loop needs to evaluate the blocks of a part.
   void set_arguments(int part, PlanarForces& forces);

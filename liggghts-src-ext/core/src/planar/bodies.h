@@ -51,9 +51,9 @@ class PlanarBodies {
 
   // One step, which leads from `step` to step + 1, for the bodies of a part.
 
-  /// Makes the missed motion, and the past of those that have none.
+  /// Makes the motion that events have found to be missing, and a past for bodies that have none.
   void prepare(int part, long step);
-  /// Sets what the SIMD loop needs to advance the part.
+  /// Sets what the SIMD loop needs to advance the part from `step`.
   void set_arguments(int part, long step, PlanarMotions& motions);
   /// Corrects the past of bodies whose contacts had events in the step before `step`, and keeps the
   /// motion that they have missed.
@@ -71,8 +71,9 @@ class PlanarBodies {
   /// Forgets the spheres of all ghosts, until set_ghost() gives them again.
   void forget_ghost_spheres();
   void set_ghost(int ghost, const PlanarBody& body);
+  /// The ghost is out of use until it is set again.
   void clear_ghost(int ghost) { info_[ghost].count = 0; }
-  /// Position, orientation and velocity of a ghost, as `moved` has them.
+  /// Gives a ghost the position, orientation and velocity of `moved`.
   void move_ghost(int ghost, const PlanarFrame& moved);
 
  private:
@@ -80,7 +81,7 @@ class PlanarBodies {
   void set_info(int body, const PlanarBody& from);
   void make_missed_motion(int body);
   void fill_past(int body, long step);
-  /// Place in past_velocity and past_acceleration of the rates k + 1 steps back, a ring buffer.
+  /// Index into past_velocity and past_acceleration, ring buffers, of the rates k + 1 steps back.
   int past(int k, long step) const {
     const int count = settings.order - 1;
     return static_cast<int>((k - step % count + count) % count);
@@ -96,7 +97,7 @@ class PlanarBodies {
   std::vector<std::int8_t> evaluations;
   AlignedVector<PlanarVector> missed_displacement, missed_velocity;
   std::vector<std::vector<int>> missed;    // bodies of each part with missed motion
-  std::vector<std::vector<int>> newborn_;  // of each part, without an evaluation yet
+  std::vector<std::vector<int>> newborn_;  // bodies of each part that have not moved yet
   std::vector<PlanarBodyInfo> info_;
   std::vector<int> tags_;
   std::vector<PlanarSphere> spheres_;

@@ -16,22 +16,24 @@ namespace rodpack {
 
 namespace {
 
-// Steps to the next question: the fastest point may get this much faster meanwhile; and at most,
-// since what rests may be hit.
+// The fastest point of all bodies may become so many times faster before ghosts are asked for
+// again.
 const double speed_margin = 2.0;
+// They are asked for after at most so many steps, since what rests may be hit; and chosen anew if
+// they would have to be asked for sooner than after the least.
 const int most_patience = 32, least_patience = 4;
 
-/// Steps that `distance` lasts at so much in a step.
+/// The number of steps in which a body goes `distance`, m.
 int patience_of(double distance, double in_a_step) {
   if (distance <= 0.0) return 0;
   return distance < most_patience * in_a_step ? static_cast<int>(distance / in_a_step)
                                               : most_patience;
 }
 
-/// Around the centres of a rank's own bodies.
+/// The box around the centres of a rank's own bodies.
 struct Box {
   double low[2], high[2];
-  double reach;  // of the longest body; negative: there are no bodies
+  double reach;  // of the longest body, m; negative: there are no bodies
 
   bool is_near(const PlanarFrame& frame, double distance) const {
     return reach >= 0.0 && frame.x > low[0] - distance && frame.x < high[0] + distance &&
@@ -111,7 +113,7 @@ double PlanarHalo::checked_distance() const {
   return distance;
 }
 
-/// Whether ghosts have to be chosen anew, and when to ask again. Collective.
+/// Whether ghosts have to be chosen anew; sets when to ask again. Collective.
 bool PlanarHalo::ask() {
   double values[3] = {checked_distance(), 0.0, -1e300};  // the last one: -room
   for (int b = 0; b < bodies_.owned(); ++b) {
@@ -128,7 +130,7 @@ bool PlanarHalo::ask() {
   return true;
 }
 
-/// How much farther a point of the body may go along x and y.
+/// How much farther any point of the body may go along x and y, m.
 double PlanarHalo::room(int body) const {
   const PlanarFrame& frame = bodies_.frame(body);
   const Pose& begun = begun_[body];
@@ -154,8 +156,8 @@ void PlanarHalo::hold_back_sent(PlanarDependencies& dependencies) const {
     for (int body : partner.sent) dependencies.hold_back(body);
 }
 
-/// The own bodies that each rank needs as ghosts, and the messages about them.
-std::vector<std::vector<double>> PlanarHalo::choose(std::vector<std::vector<int>>& chosen) {
+/// Chooses the own bodies that each rank needs as ghosts; returns the messages about them.
+std::vector<std::vector<double>> PlanarHalo::choose(std::vector<std::vector<int>>& chosen) const {
   const Box own = box_around(bodies_);
   const std::vector<double> boxes =
       ranks_.gather({own.low[0], own.low[1], own.high[0], own.high[1], own.reach});
@@ -178,7 +180,7 @@ std::vector<std::vector<double>> PlanarHalo::choose(std::vector<std::vector<int>
   return messages;
 }
 
-/// The ghosts that each rank sends.
+/// Makes the bodies of these messages the ghosts; returns those of each rank.
 std::vector<std::vector<int>> PlanarHalo::receive(const std::vector<std::vector<double>>& messages,
                                                   std::vector<int>& to_list) {
   std::vector<PlanarBody> bodies;

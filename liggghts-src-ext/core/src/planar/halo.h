@@ -38,8 +38,8 @@ class PlanarHalo {
   /// @throws std::runtime_error naming a body that went farther than it could have been followed
   bool update(std::vector<int>& to_list);
 
-  /// Updates before the next one that may choose the ghosts anew, for which all bodies have to be
-  /// at the same step. The same on all ranks.
+  /// The number of updates before the next one that may choose the ghosts anew, for which all
+  /// bodies have to be at the same step. The same on all ranks.
   int quiet_updates() const { return patience_ > 1 ? patience_ - 1 : 0; }
 
   /// Lets the parts of the own bodies that are sent wait for the last part, with which they are.
@@ -48,17 +48,19 @@ class PlanarHalo {
   /// Throws as update() if a contact may have been missed so far; not collective.
   void check() const { checked_distance(); }
 
-  /// Whether a body has gone nearly settings.farthest since the scene began.
+  /// Whether a body has gone nearly as far as settings.farthest since the scene began.
   bool far_away() const { return far_away_; }
 
-  long ghosts_brought() const { return ghosts_brought_; }  // sum over the updates
+  /// The number of ghosts that were brought to a step, in all.
+  long ghosts_brought() const { return ghosts_brought_; }
+  /// The bytes that were sent for that, in all.
   long bytes_sent() const { return bytes_sent_; }
 
  private:
   struct Pose {
     double x, y, cosine, sine;
   };
-  /// What is sent to a rank and what comes from it: own bodies, ghosts.
+  /// The own bodies that are sent to a rank, and the ghosts that come from it.
   struct Partner {
     std::vector<int> sent, received;
   };
@@ -67,7 +69,7 @@ class PlanarHalo {
   double checked_distance() const;
   bool ask();
   double room(int body) const;
-  std::vector<std::vector<double>> choose(std::vector<std::vector<int>>& chosen);
+  std::vector<std::vector<double>> choose(std::vector<std::vector<int>>& chosen) const;
   std::vector<std::vector<int>> receive(const std::vector<std::vector<double>>& messages,
                                         std::vector<int>& to_list);
   void connect(const std::vector<std::vector<int>>& chosen,
@@ -84,7 +86,7 @@ class PlanarHalo {
   const bool is_limited_;  // bodies may not go anywhere
   int patience_ = 0;       // steps until the next question
   bool far_away_ = false;
-  std::vector<Pose> begun_, chosen_at_;  // own bodies at first, and when ghosts were chosen
+  std::vector<Pose> begun_, chosen_at_;  // of own bodies at first, and when ghosts were chosen
   std::vector<PlanarLink> links_;
   std::vector<Partner> partners_;  // of each link
   long ghosts_brought_ = 0, bytes_sent_ = 0;

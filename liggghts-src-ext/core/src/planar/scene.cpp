@@ -22,6 +22,7 @@ namespace {
 // little.
 const int bodies_in_part = 256;
 
+// A multiple of most_steps_in_pass: no pass goes on over the step in which blocks are sorted.
 const int steps_between_sorts = 256;
 
 void require(bool holds, const std::string& name, double value, const char* expected) {
@@ -61,7 +62,7 @@ void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
   }
 }
 
-/// On several ranks.
+/// On several ranks bodies are known by their tags.
 void validate_tags(const std::vector<PlanarBody>& bodies) {
   std::vector<int> tags;
   for (const PlanarBody& body : bodies) tags.push_back(body.tag);
@@ -71,7 +72,7 @@ void validate_tags(const std::vector<PlanarBody>& bodies) {
             "tags >= 0, each once");
 }
 
-/// `swapped`: i and j change places. Along z x n the components stay as they are.
+/// The state of a lane in which i and j change places if `swapped`; components along z x n stay.
 PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, int full_count) {
   PlanarLaneState state = PlanarLaneState();
   state.i = swapped ? contact.body_j : contact.body_i;
@@ -175,7 +176,8 @@ void PlanarScene::Data::evaluate() {
 }
 
 int PlanarScene::Data::pass(long most) {
-  // Blocks are sorted at the same steps, however many are asked for at a time.
+  // Passes end at multiples of their largest length, so that blocks are sorted at the same steps,
+  // however many are asked for at a time.
   long steps_of_pass = most_steps_in_pass - steps % most_steps_in_pass;
   steps_of_pass = std::min(steps_of_pass, static_cast<long>(neighbours.steps_within_skins()));
   if (halo)
@@ -189,9 +191,9 @@ int PlanarScene::Data::pass(long most) {
   return steps_of_pass_;
 }
 
-// What follows is the way of a part of the bodies through a step of a pass: the last step's events
-// are made good for, the bodies move, those that have left their skins are listed anew, and the
-// contact forces are evaluated.
+// A part of the bodies goes through a step of a pass as follows: it is corrected for the events of
+// the last step, its bodies move, those that have left their skins are listed anew, and the contact
+// forces are evaluated.
 
 bool PlanarScene::Data::move(int step, int part) {
   if (step > 0) correct_for_events(step, part);
