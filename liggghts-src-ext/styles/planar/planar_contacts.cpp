@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 
 #include "atom.h"
 #include "comm.h"
@@ -20,8 +22,7 @@
 #include "neighbor.h"
 #include "pair_gran.h"
 #include "primitive_wall.h"
-#include "rodpack/contact/normal_history.h"
-#include "rodpack/contact/tangential_history.h"
+#include "rodpack/contact/contact_history.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -31,8 +32,6 @@ using rodpack::PlanarContactState;
 using rodpack::TangentialHistory;
 
 namespace {
-
-constexpr int normal_values = sizeof(NormalHistory) / sizeof(double);
 
 struct WallAccess : FixWallGran {
   static double** histories(FixWallGran* wall) {
@@ -128,9 +127,9 @@ void PlanarContacts::connect() {
   if (!has_known_models(pair_))
     refuse(std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();
-  slots_ = (values_ - normal_values - TangentialHistory::size(0)) / 3;
+  slots_ = (values_ - rodpack::stored_history_values(0)) / 3;
   if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
-      values_ != normal_values + TangentialHistory::size(slots_))
+      values_ != rodpack::stored_history_values(slots_))
     refuse("pair_style gran keeps other values in the history of contacts");
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
@@ -181,41 +180,51 @@ std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
 
 /// What LIGGGHTS keeps of a contact.
 struct PlanarContacts::Record {
-  NormalHistory& normal;
+  NormalHistory normal;
   TangentialHistory tangential;
-  Record(double* values, int slots)
-      : normal(*reinterpret_cast<NormalHistory*>(values)),
-        tangential{values + normal_values, slots} {}
 
-  bool lives(double now) const { return tangential.count() != 0.0 && tangential.step() == now; }
-  void read(const Frame& frame, PlanarContactState& contact) const {
-    contact.spring = frame.along(tangential.spring());
-    for (int k = 0; k < rodpack::max_multistep_order; ++k)
-      contact.velocity[k] = k < tangential.slots ? frame.along(tangential.velocity(k)) : 0.0;
-    contact.count = static_cast<int>(tangential.count());
-    contact.since = tangential.since();
-    contact.uncut = normal.uncut;
-    contact.touch_rate = normal.touch_rate;
-    contact.fresh = normal.fresh != 0.0;
-  }
-  void write(const PlanarContactState& contact, const Frame& frame, double now) const {
-    frame.set(contact.spring, tangential.spring());
+  explicit Record(int slots) : tangential(slots) {}
+  Record(const double* stored, int slots)
+      : normal(rodpack::unpack_normal(stored)),
+        tangential(rodpack::unpack_tangential(stored + rodpack::stored_normal_values, slots)) {}
+
+  bool lives(std::int64_t now) const { return tangential.known != 0 && tangential.step == now; }
+  PlanarContactState in_plane(const Frame& frame) const {
+    PlanarContactState contact = PlanarContactState();
+    contact.spring = frame.along(tangential.spring);
     for (int k = 0; k < tangential.slots; ++k)
-      frame.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
-                tangential.velocity(k));
-    tangential.count() = contact.count;
-    tangential.step() = now;
-    tangential.since() = contact.since;
-    std::copy(contact.constants, contact.constants + 3, tangential.constants());
-    normal.uncut = contact.uncut;
-    normal.touch_rate = contact.touch_rate;
-    normal.fresh = contact.fresh ? 1.0 : 0.0;
-    normal.step = now + 1.0;
+      contact.velocity[k] = frame.along(tangential.velocity[k]);
+    contact.count = tangential.sliding ? -tangential.known : tangential.known;
+    contact.since = tangential.since;
+    contact.uncut = normal.viscoelastic;
+    contact.touch_rate = normal.touch_rate;
+    contact.fresh = normal.just_touched;
+    return contact;
+  }
+  static void write(const PlanarContactState& contact, const Frame& frame, std::int64_t now,
+                    int slots, double* stored) {
+    Record record(slots);
+    TangentialHistory& tangential = record.tangential;
+    frame.set(contact.spring, tangential.spring);
+    for (int k = 0; k < slots; ++k) frame.set(contact.velocity[k], tangential.velocity[k]);
+    tangential.known = std::abs(contact.count);
+    tangential.sliding = contact.count < 0;
+    tangential.step = now;
+    tangential.since = contact.since;
+    tangential.friction = contact.constants[0];
+    tangential.stiffness = contact.constants[1];
+    tangential.damping = contact.constants[2];
+    record.normal.viscoelastic = contact.uncut;
+    record.normal.touch_rate = contact.touch_rate;
+    record.normal.just_touched = contact.fresh;
+    record.normal.next_step = now + 1;
+    rodpack::pack(record.normal, stored);
+    rodpack::pack(tangential, stored + rodpack::stored_normal_values);
   }
 };
 
 std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners) const {
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   std::vector<std::vector<PlanarContactRecord> > contacts(comm->nprocs);
   const auto send = [&](const PlanarContactRecord& contact, int atom_index) {
     contacts[owners.of_body(atom_index)].push_back(contact);
@@ -236,7 +245,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.atom = atom->tag[i];
       contact.partner = atom->tag[j];
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
-      record.read(Frame(dx / r, dy / r), contact.state);
+      contact.state = record.in_plane(Frame(dx / r, dy / r));
       send(contact, i);
       if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
     }
@@ -251,7 +260,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.partner = -1 - static_cast<int>(w);
       const int axis = planes[w].axis;
       const double side = planes[w].side_of(x[i][axis] - planes[w].position);
-      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
+      contact.state = record.in_plane(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0));
       send(contact, i);
     }
   return exchange_records(world, std::move(contacts));
@@ -267,20 +276,20 @@ int PlanarContacts::local_atom(int tag) const {
 }
 
 void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& records) const {
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   for (FixWallGran* wall : walls_)
     for (int i = 0; i < atom->nlocal; ++i)
       std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
   for (const PlanarContactRecord& contact : records)
     if (contact.partner < 0)
-      Record(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)], slots_)
-          .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+      Record::write(contact.state, Frame(contact.normal[0], contact.normal[1]), now, slots_,
+                    WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
 }
 
 void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
   using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
   using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   NeighList* const list = pair_->list;
   for (int ii = 0; ii < list->inum; ++ii) {
@@ -305,15 +314,15 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
     missing += (is_there ? -1 : 1) * (j >= 0 && j < atom->nlocal ? 1 : is_there ? 0 : 2);
     if (!is_there) continue;
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    Record(list->listgranhistory->firstdouble[i] + values_ * jj, slots_)
-        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+    Record::write(contact.state, Frame(contact.normal[0], contact.normal[1]), now, slots_,
+                  list->listgranhistory->firstdouble[i] + values_ * jj);
   }
   if (missing != 0)
     error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
 }
 
 void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   FixContactHistory* const histories = pair_->list->fix_history;
   std::vector<int> counts(atom->nlocal, 0);
@@ -333,9 +342,8 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
     if (contact.partner < 0) continue;
     const int i = local_atom(contact.atom), place = HistoryAccess::count(histories, i)++;
     HistoryAccess::partners(histories, i)[place] = contact.partner;
-    double* const values = histories->contacthistory(i, place);
-    std::fill_n(values, values_, 0.0);
-    Record(values, slots_).write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+    Record::write(contact.state, Frame(contact.normal[0], contact.normal[1]), now, slots_,
+                  histories->contacthistory(i, place));
   }
 }
 

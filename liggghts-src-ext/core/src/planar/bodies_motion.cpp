@@ -66,37 +66,34 @@ void PlanarBodies::begin_loads() {
     for (int d = 0; d < 2; ++d) loads_[b].d[d] = inertia[b].d[3] * settings.gravity[d];
 }
 
-/// What the forces' changes of branch have missed, and the records of the past that continue the
-/// new branches backwards: as in FixMultisphereAB.
+/// Keeps what the forces' changes of branch have missed, and corrects the records of the past so
+/// that they continue the new branches backwards (event_correction.h).
 void PlanarBodies::apply_events(int part, long step, PlanarEvents& events) {
   events.forget_jumps(part);
-  for (const PlanarEvents::Changes& sum : events.changes(part)) {
-    const int b = sum.body;
+  for (const PlanarEvents::Changes& change : events.changes(part)) {
+    const int b = change.body;
     if (b >= owned()) continue;  // its own rank sees all of its contacts
-    PlanarMotionChange motion = {};
-    const auto value = [&](const double(ForceChange::*part)[3], int d) {
-      return d < 2 ? (sum.force.*part)[d] : (sum.torque.*part)[2];
-    };
-    for (int d = 0; d < 3; ++d) {
-      const double inverse = inertia[b].d[d];
-      motion.acceleration[d] = inverse * value(&ForceChange::now, d);
-      motion.velocity[d] = missed_velocity[b].d[d] = inverse * value(&ForceChange::impulse, d);
-      motion.displacement[d] = missed_displacement[b].d[d] =
-          inverse * value(&ForceChange::sweep, d);
-    }
-    motion.cosine = frames[b].cosine;
-    motion.sine = frames[b].sine;
+    typedef KnownInverse<double> Inverse;
+    const PlanarCorrection<Inverse> correction = {Inverse{inertia[b].d[0]},
+                                                  Inverse{inertia[b].d[2]}};
+    PlanarJump jump = correction.missed(change.sum);
+    jump.cosine = frames[b].cosine;
+    jump.sine = frames[b].sine;
+    std::copy(jump.velocity, jump.velocity + 3, missed_velocity[b].d);
+    std::copy(jump.displacement, jump.displacement + 3, missed_displacement[b].d);
     missed[part].push_back(b);
-    if (sum.jumps) events.set_jumped(b, motion);
+    if (change.jumps) events.set_jumped(b, jump);
     if (evaluations[b] == 0) continue;  // no past yet
     for (int k = 1; k < settings.order; ++k) {
-      const double age = k * settings.dt;
-      for (int d = 0; d < 3; ++d) {
-        const ForceChange& change = d < 2 ? sum.force : sum.torque;
-        const double inverse = inertia[b].d[d];
-        past_velocity[past(k - 1, step)][b].d[d] += inverse * change.past_momentum(d, age);
-        past_acceleration[past(k - 1, step)][b].d[d] += inverse * change.past_force(d, age);
+      const PlanarRates gain = correction.past(change.sum, k * settings.dt);
+      double *const velocity = past_velocity[past(k - 1, step)][b].d,
+                    *const acceleration = past_acceleration[past(k - 1, step)][b].d;
+      for (int d = 0; d < 2; ++d) {
+        velocity[d] += gain.velocity[d];
+        acceleration[d] += gain.acceleration[d];
       }
+      velocity[2] += gain.angular_velocity;
+      acceleration[2] += gain.angular_acceleration;
     }
   }
   events.forget_changes(part);

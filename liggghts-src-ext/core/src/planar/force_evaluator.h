@@ -45,9 +45,7 @@ class PlanarForceEvaluator {
   bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
-  TangentialStep tangential_step() const {
-    return {settings.order, static_cast<double>(now), settings.dt};
-  }
+  TangentialStep tangential_step() const { return {settings.order, now, settings.dt}; }
 
   const PlanarSettings& settings;
   const int slots;  // tangential velocities that a contact remembers

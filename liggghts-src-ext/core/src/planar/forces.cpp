@@ -118,22 +118,18 @@ bool PlanarForceEvaluator::place_lane(const PlanarBlockPool& pool, int place, in
 
 void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
                                  const double (&tangential)[3]) {
-  double force[2], lever[2];
-  for (int d = 0; d < 2; ++d) {
-    force[d] = normal * contact.en[d] + tangential[d];
-    lever[d] = contact.arm_i[d] - contact.cri * contact.en[d];
-  }
+  const Vector2<double> force = {normal * contact.en[0] + tangential[0],
+                                 normal * contact.en[1] + tangential[1]};
   PlanarVector* const loads = bodies.load_array();
   double* load = loads[contact.body_i].d;
-  load[0] += force[0];
-  load[1] += force[1];
-  load[2] += lever[0] * force[1] - lever[1] * force[0];
+  load[0] += force.x;
+  load[1] += force.y;
+  load[2] += cross_z(contact.lever_i(), force);
   if (contact.is_wall) return;
   load = loads[contact.body_j].d;
-  for (int d = 0; d < 2; ++d) lever[d] = contact.arm_j[d] + contact.crj * contact.en[d];
-  load[0] -= force[0];
-  load[1] -= force[1];
-  load[2] -= lever[0] * force[1] - lever[1] * force[0];
+  load[0] -= force.x;
+  load[1] -= force.y;
+  load[2] -= cross_z(contact.lever_j(), force);
 }
 
 void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
@@ -147,23 +143,25 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   PlanarLaneState lane_state;
   pool.save(place, lane, lane_state);
   // The history in space, already turned into the present plane of contact.
-  double values[TangentialHistory::size(max_multistep_order)] = {};
-  const TangentialHistory history{values, slots};
+  TangentialHistory history(slots);
   const auto along = [&](double component, double* vector) {
-    vector[0] = -component * contact.en[1];
-    vector[1] = component * contact.en[0];
-    vector[2] = 0.0;
+    const Vector2<double> in_plane = in_space<double>(contact.normal(), 0.0, component);
+    vector[0] = in_plane.x;
+    vector[1] = in_plane.y;
   };
-  along(lane_state.spring, history.spring());
-  for (int k = 0; k < slots; ++k) along(lane_state.velocity[k], history.velocity(k));
-  history.count() = !alive ? 0.0 : lane_state.sliding ? -lane_state.count : lane_state.count;
-  history.step() = static_cast<double>(now - 1);
-  history.since() = lane_state.since;
-  history.constants()[0] = friction;
-  history.constants()[1] = contact.kt;
-  history.constants()[2] = contact.gammat;
-  NormalHistory normal_history = {lane_state.uncut, lane_state.touch_rate,
-                                  lane_state.fresh ? 1.0 : 0.0, static_cast<double>(now)};
+  along(lane_state.spring, history.spring);
+  for (int k = 0; k < slots; ++k) along(lane_state.velocity[k], history.velocity[k]);
+  history.known = alive ? lane_state.count : 0;
+  history.sliding = alive && lane_state.sliding;
+  history.step = now - 1;
+  history.since = lane_state.since;
+  history.friction = friction;
+  history.stiffness = contact.kt;
+  history.damping = contact.gammat;
+  NormalHistory normal_history;
+  normal_history.viscoelastic = lane_state.uncut;
+  normal_history.touch_rate = lane_state.touch_rate;
+  normal_history.just_touched = lane_state.fresh;
   PlanarEvents* const followed = follows ? &events : nullptr;
 
   if (!touches) {
@@ -180,23 +178,22 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
 
   ++general_contacts_;
   const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
-  follow_normal_force(contact, normal_history, normal.elastic - contact.gamman * contact.vn, alive,
-                      settings.dt, followed);
+  follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings.dt, followed);
   const TangentialForce tangential =
       tangential_contact_force(contact, history, friction, true, tangential_step(),
                                static_cast<const PlanarEvents*>(followed), followed);
   apply(contact, normal.total, tangential.force);
 
-  lane_state.spring = contact.along_tangent(history.spring());
+  lane_state.spring = contact.along_tangent(history.spring);
   for (int k = 0; k < slots; ++k)
-    lane_state.velocity[k] = contact.along_tangent(history.velocity(k));
-  lane_state.count = static_cast<std::int8_t>(std::fabs(history.count()));
-  lane_state.sliding = history.count() < 0.0;
+    lane_state.velocity[k] = contact.along_tangent(history.velocity[k]);
+  lane_state.count = static_cast<std::int8_t>(history.known);
+  lane_state.sliding = history.sliding;
   lane_state.mature = lane_state.count == full_count();
-  lane_state.since = history.since();
-  lane_state.uncut = normal_history.uncut;
+  lane_state.since = history.since;
+  lane_state.uncut = normal_history.viscoelastic;
   lane_state.touch_rate = normal_history.touch_rate;
-  lane_state.fresh = normal_history.fresh != 0.0;
+  lane_state.fresh = normal_history.just_touched;
   pool.restore(place, lane, lane_state, true);
 }
 

@@ -2,6 +2,8 @@
 #ifndef RODPACK_PLANAR_FORCES_H
 #define RODPACK_PLANAR_FORCES_H
 
+#include <cstddef>
+
 #include "block_layout.h"
 #include "contact.h"
 #include "parts.h"
@@ -64,6 +66,31 @@ struct PlanarListed {
   double reach;  // distance of its farthest point from the centre of mass, m
   double skin;   // m
 };
+
+// Where registers find pairs of numbers in these structures, counted in doubles.
+constexpr int doubles_before(std::size_t bytes) { return static_cast<int>(bytes / sizeof(double)); }
+enum PlanarPlace {
+  frame_place = doubles_before(offsetof(PlanarFrame, x)),      // and y
+  frame_turn = doubles_before(offsetof(PlanarFrame, cosine)),  // and sine
+  frame_velocity = doubles_before(offsetof(PlanarFrame, velocity)),
+  frame_spin = frame_velocity + 2,                                          // and radius
+  law_stiffnesses = doubles_before(offsetof(PlanarLawConstants, kn)),       // and kt
+  law_friction = doubles_before(offsetof(PlanarLawConstants, inverse_kt)),  // and friction
+  wall_direction = doubles_before(offsetof(PlanarWallLine, along_x)),       // and along_y
+  wall_position = doubles_before(offsetof(PlanarWallLine, position))        // and free_side
+};
+static_assert(offsetof(PlanarLawConstants, kn) == 0 && offsetof(PlanarLawConstants, kt) == 8 &&
+                  offsetof(PlanarLawConstants, inverse_kt) == 16 &&
+                  offsetof(PlanarLawConstants, friction) == 24,
+              "kernel.h reads laws as four doubles in this order");
+static_assert(offsetof(PlanarWallLine, along_x) == 0 && offsetof(PlanarWallLine, along_y) == 8 &&
+                  offsetof(PlanarWallLine, position) == 16 &&
+                  offsetof(PlanarWallLine, free_side) == 24,
+              "kernel_bodies.h reads walls as four doubles in this order");
+static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, alive) &&
+                  offsetof(PlanarBlockHead, used) + 2 == offsetof(PlanarBlockHead, mature) &&
+                  offsetof(PlanarBlockHead, used) + 3 == offsetof(PlanarBlockHead, sliding),
+              "kernel.h reads these four bytes as one number, in this order");
 
 constexpr int body_lanes = 4;  // bodies that the SIMD loop advances at a time
 

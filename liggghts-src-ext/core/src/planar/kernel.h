@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of contacts between bodies, the blocks of a register at a time. Contacts to which nothing
-// happens in the step (they last, stick or slide on, push as before) take the short way here, which
-// is the law of contact_law.h with the spring along the tangent; all others the general one.
+// happens in the step (they last, stick or slide on, push as before) take the short way here, by
+// the same formulas as all others, which take the general way (forces.cpp).
 //
 // Included once by a source for one set of instructions, in an unnamed namespace, after the header
-// of its lanes, which sets `Lanes` and how many blocks they hold. Nothing else may be used here but
-// planar_forces.h: see there.
+// of its lanes, which sets `Lanes`, `LaneMask` and how many blocks they hold. Nothing else may be
+// used here but forces.h: see there.
+
+#include "rodpack/contact/contact_formulas.h"
+
+/// Of the contacts in a register: the numbers of contact_formulas.h.
+struct LaneContacts {
+  typedef Lanes Real;
+  typedef LaneMask Mask;
+};
 
 constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
 
@@ -23,85 +31,84 @@ inline void keep_lanes(LaneMask where, double* place, Lanes x) {
   store_lanes(place, lane_choice(where, x, load_lanes(place)));
 }
 
+/// Of the two bodies of blocks: levers from their centres to the contacts, the normals from j to i,
+/// and the velocities of i's surface relative to j's.
+struct LaneMotion {
+  Vector2<Lanes> normal, lever_i, lever_j;
+  Lanes overlap, separation_velocity, tangential_velocity;
+};
+
 /// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the short way.
 struct LaneForces {
   Lanes normal, tangential;
   int general;  // lanes that need the general way after all
 };
 
-/// The law for the lanes `lasting`, which have a full history, and the history brought to this
-/// step. `sliding`: lanes that slid; becomes those that do.
-inline LaneForces lasting_forces(int first, double* values, Lanes overlap, Lanes vn, Lanes vt,
-                                 int lasting, int& sliding, const PlanarForces& forces) {
+/// Sets the constants of the contacts of the blocks from `first` on; the result is mu k_n.
+inline Lanes set_constants(int first, const double* values, const PlanarForces& forces,
+                           LastingContact<LaneContacts>& contact) {
   const double* gammas[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
-  const Lanes zero = all_lanes(0.0);
-  Lanes gamma_n, gamma_t;
-  each_two(gammas, 0, gamma_n, gamma_t);
-  Lanes kn = all_lanes(forces.laws->kn), kt = all_lanes(forces.laws->kt);
-  Lanes inverse_kt = all_lanes(forces.laws->inverse_kt);
+  each_two(gammas, 0, contact.normal_damping, contact.tangential_damping);
   Lanes friction = all_lanes(forces.laws->friction);
+  contact.normal_stiffness = all_lanes(forces.laws->kn);
+  contact.tangential_stiffness = all_lanes(forces.laws->kt);
+  contact.inverse_stiffness.inverse = all_lanes(forces.laws->inverse_kt);
   if (!forces.one_law) {
     const double* laws[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b)
       laws[b] = reinterpret_cast<const double*>(&forces.laws[forces.block_laws[first + b]]);
-    each_two(laws, 0, kn, kt);
-    each_two(laws, 2, inverse_kt, friction);
+    each_two(laws, law_stiffnesses, contact.normal_stiffness, contact.tangential_stiffness);
+    each_two(laws, law_friction, contact.inverse_stiffness.inverse, friction);
   }
+  return friction;
+}
 
-  const Lanes uncut = kn * overlap - gamma_n * vn;
-  const Lanes spring_before = load_lanes(values + planar_spring);
-  Lanes spring = spring_before;
+/// The law for the lanes `lasting`, which have a full history, and the history brought to this
+/// step. `sliding`: lanes that slid; becomes those that do.
+inline LaneForces lasting_forces(int first, double* values, const LaneMotion& motion, int lasting,
+                                 int& sliding, const PlanarForces& forces) {
+  const Lanes zero = all_lanes(0.0);
+  LastingContact<LaneContacts> contact;
+  const Lanes friction = set_constants(first, values, forces, contact);
+  contact.overlap = motion.overlap;
+  contact.separation_velocity = motion.separation_velocity;
+  contact.viscoelastic_before = load_lanes(values + planar_uncut);
+  contact.tangential_velocity = motion.tangential_velocity;
+  contact.spring_before = load_lanes(values + planar_spring);
+  contact.spring = contact.spring_before;
   for (int k = 0; k < forces.order; ++k)
-    spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
-  const Lanes trial = -(kt * spring + gamma_t * vt);
-  const Lanes cap = friction * overlap;
-  const LaneMask negative = lane_less(trial, zero);
-  const Lanes strength = lane_choice(negative, -trial, trial);
-  const LaneMask pushes = lane_less(zero, uncut);
-  LaneMask slides = lane_less(cap, strength);
+    contact.spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
+  contact.cap = friction * motion.overlap;
+  contact.slid = lanes_of_bits(sliding);
+  const LastingForce<LaneContacts> force = lasting_force(contact, zero, forces.follows);
+
   LaneMask acts = lanes_of_bits(lasting);
   LaneForces result;
   result.general = 0;
   if (forces.follows) {
-    const LaneMask pushed = lane_less(zero, load_lanes(values + planar_uncut));
-    LaneMask changes = pushes ^ pushed;
-    // Sliding goes on while the velocity keeps the direction of the spring.
-    const LaneMask slid = lanes_of_bits(sliding), with_dashpot = lane_less(zero, gamma_t);
-    const LaneMask goes_on = lane_less(zero, vt * spring_before);
-    changes = (changes | (with_dashpot & lane_choice(slid, ~goes_on, slides))) & acts;
-    slides = lane_choice(with_dashpot, slid, slides);
-    acts = acts & ~changes;
-    result.general = lane_bits(changes);
+    result.general = lane_bits(force.changes & acts);
+    acts = acts & ~force.changes;
   }
-  const Lanes limited = lane_choice(negative, -cap, cap);
-  const Lanes tangential = lane_choice(slides, limited, trial);
-  result.normal = lane_choice(acts & pushes, uncut, zero);
-  result.tangential = lane_choice(acts, tangential, zero);
-  spring = lane_choice(slides, -limited * inverse_kt, spring);
-  keep_lanes(acts, values + planar_spring, spring);
-  keep_lanes(acts, values + planar_uncut, uncut);
-  keep_lanes(acts, values + forces.newest, vt);
-  sliding = lane_bits(lane_choice(acts, slides, lanes_of_bits(sliding)));
+  result.normal = lane_choice(acts, force.normal, zero);
+  result.tangential = lane_choice(acts, force.tangential, zero);
+  keep_lanes(acts, values + planar_spring, force.spring);
+  keep_lanes(acts, values + planar_uncut, force.viscoelastic);
+  keep_lanes(acts, values + forces.newest, motion.tangential_velocity);
+  sliding = lane_bits(lane_choice(acts, force.slides, contact.slid));
   return result;
 }
 
-// Places in a PlanarFrame, in doubles: of x and y, cosine and sine, velocity, spin and radius.
-enum { frame_place = 0, frame_turn = 2, frame_velocity = 4, frame_spin = 6 };
-
 /// Spheres' centres from that of their body.
-struct Arms {
-  Lanes x, y;
-};
-
-inline Arms arms_of(const double* x, const double* y, BlockConstants& frame) {
-  const Lanes bx = load_lanes(x), by = load_lanes(y);
+inline Vector2<Lanes> arms_of(const double* x, const double* y, BlockConstants& frame) {
+  const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)};
   Lanes cosine, sine;
   each_two(frame, frame_turn, cosine, sine);
-  return {cosine * bx - sine * by, sine * bx + cosine * by};
+  return turned(cosine, sine, offset);
 }
 
-/// What a PlanarHead knows of its lanes; the lanes of the blocks side by side.
+/// The bits of PlanarBlockHead, with the lanes of the blocks side by side. mature: lanes whose
+/// contact has lasted until its history is full.
 struct LaneFlags {
   int used, alive, mature, sliding;
 };
@@ -140,14 +147,14 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first, const Plana
     frame_i[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].i]);
     frame_j[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].j]);
   }
-  const Arms i = arms_of(values + planar_xi, values + planar_yi, frame_i);
-  const Arms j = arms_of(values + planar_xj, values + planar_yj, frame_j);
+  const Vector2<Lanes> arm_i = arms_of(values + planar_xi, values + planar_yi, frame_i);
+  const Vector2<Lanes> arm_j = arms_of(values + planar_xj, values + planar_yj, frame_j);
   Lanes xi, yi, xj, yj, wi, wj, radius_i, radius_j;
   each_two(frame_i, frame_place, xi, yi);
   each_two(frame_j, frame_place, xj, yj);
   each_two(frame_i, frame_spin, wi, radius_i);
   each_two(frame_j, frame_spin, wj, radius_j);
-  const Lanes dx = (xi - xj) + (i.x - j.x), dy = (yi - yj) + (i.y - j.y);
+  const Lanes dx = (xi - xj) + (arm_i.x - arm_j.x), dy = (yi - yj) + (arm_i.y - arm_j.y);
   const Lanes square = dx * dx + dy * dy, reach = radius_i + radius_j;
   const LaneFlags flags = flags_of(heads);
   const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used;
@@ -159,28 +166,30 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first, const Plana
 
   Lanes r, inverse;
   lane_roots(square, r, inverse);
-  const Lanes nx = dx * inverse, ny = dy * inverse;
-  const Lanes overlap = reach - r;
-  // levers to the contact point, half-way into the overlap
-  const Lanes li = radius_i - 0.5 * overlap, lj = radius_j - 0.5 * overlap;
-  const Lanes pix = i.x - li * nx, piy = i.y - li * ny;
-  const Lanes pjx = j.x + lj * nx, pjy = j.y + lj * ny;
+  LaneMotion motion;
+  motion.normal = {dx * inverse, dy * inverse};
+  motion.overlap = reach - r;
+  motion.lever_i = lever_in_plane(arm_i, lever_length(radius_i, motion.overlap), motion.normal);
+  motion.lever_j = lever_in_plane(arm_j, -lever_length(radius_j, motion.overlap), motion.normal);
   Lanes vxi, vyi, vxj, vyj;
   each_two(frame_i, frame_velocity, vxi, vyi);
   each_two(frame_j, frame_velocity, vxj, vyj);
-  const Lanes ux = (vxi - vxj) - wi * piy + wj * pjy, uy = (vyi - vyj) + wi * pix - wj * pjx;
+  const Vector2<Lanes> of_centres = {vxi - vxj, vyi - vyj};
+  const Vector2<Lanes> velocity =
+      velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j);
+  motion.separation_velocity = dot(velocity, motion.normal);
+  motion.tangential_velocity = cross_z(motion.normal, velocity);
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces(first, values, overlap, ux * nx + uy * ny,
-                                          uy * nx - ux * ny, lasting, sliding, forces);
+  const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);
   double *load_i[lane_blocks], *load_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
     load_i[b] = forces.loads[heads[b].i].d;
     load_j[b] = forces.loads[heads[b].j].d;
   }
-  const Lanes fx = force.normal * nx - force.tangential * ny;
-  const Lanes fy = force.normal * ny + force.tangential * nx;
-  add_loads(fx, fy, pix * fy - piy * fx, pjx * fy - pjy * fx, load_i, load_j);
+  const Vector2<Lanes> on_i = in_space(motion.normal, force.normal, force.tangential);
+  add_loads(on_i.x, on_i.y, cross_z(motion.lever_i, on_i), cross_z(motion.lever_j, on_i), load_i,
+            load_j);
   return general | force.general;
 }
 

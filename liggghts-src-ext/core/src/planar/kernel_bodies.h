@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts with walls and the motion of bodies; included after planar_kernel.h,
-// for lanes of four.
+// Contacts with walls and the motion of bodies; included after kernel.h, for lanes of four.
 
 /// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
 /// the general way.
@@ -12,13 +11,13 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
     frame[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].i]);
     wall[b] = reinterpret_cast<const double*>(&forces.walls[-1 - heads[b].j]);
   }
-  const Arms arms = arms_of(values + planar_xi, values + planar_yi, frame);
+  const Vector2<Lanes> arm = arms_of(values + planar_xi, values + planar_yi, frame);
   Lanes x, y, spin, radius, along_x, along_y, position, free_side;
   each_two(frame, frame_place, x, y);
   each_two(frame, frame_spin, spin, radius);
-  each_two(wall, 0, along_x, along_y);
-  each_two(wall, 2, position, free_side);
-  const Lanes distance = (x + arms.x) * along_x + (y + arms.y) * along_y - position;
+  each_two(wall, wall_direction, along_x, along_y);
+  each_two(wall, wall_position, position, free_side);
+  const Lanes distance = (x + arm.x) * along_x + (y + arm.y) * along_y - position;
   const Lanes zero = all_lanes(0.0);
   const Lanes own_side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
   const Lanes side = lane_choice(lane_less(zero, free_side * free_side), free_side, own_side);
@@ -30,26 +29,27 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
-  const Lanes nx = along_x * side, ny = along_y * side;
-  const Lanes overlap = radius - distance * side;
-  const Lanes lever = radius - 0.5 * overlap;
-  const Lanes px = arms.x - lever * nx, py = arms.y - lever * ny;
+  LaneMotion motion;
+  motion.normal = {along_x * side, along_y * side};
+  motion.overlap = radius - distance * side;
+  motion.lever_i = lever_in_plane(arm, lever_length(radius, motion.overlap), motion.normal);
   Lanes vx, vy;
   each_two(frame, frame_velocity, vx, vy);
-  const Lanes ux = vx - spin * py, uy = vy + spin * px;
+  const Vector2<Lanes> of_centre = {vx, vy};
+  const Vector2<Lanes> velocity = velocity_at(of_centre, spin, motion.lever_i);
+  motion.separation_velocity = dot(velocity, motion.normal);
+  motion.tangential_velocity = cross_z(motion.normal, velocity);
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces(first, values, overlap, ux * nx + uy * ny,
-                                          uy * nx - ux * ny, lasting, sliding, forces);
+  const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);
-  const Lanes fx = force.normal * nx - force.tangential * ny;
-  const Lanes fy = force.normal * ny + force.tangential * nx;
+  const Vector2<Lanes> on_body = in_space(motion.normal, force.normal, force.tangential);
   alignas(64) PlanarVector on_walls = PlanarVector();
   double *load[lane_blocks], *load_of_wall[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
     load[b] = forces.loads[heads[b].i].d;
     load_of_wall[b] = on_walls.d;
   }
-  add_loads(fx, fy, px * fy - py * fx, zero, load, load_of_wall);
+  add_loads(on_body.x, on_body.y, cross_z(motion.lever_i, on_body), zero, load, load_of_wall);
   return general | force.general;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "instructions.h"
+#include "../contact/event_correction.h"
 #include "../motion/rigid_motion.h"
 
 namespace rodpack {
@@ -65,11 +66,7 @@ struct PlanarSphere {
   int tag = 0;  // by which the caller knows it
 };
 
-/// What contacts learn in the next step about a body whose acceleration has jumped.
-struct PlanarMotionChange {
-  double acceleration[3], velocity[3], displacement[3];  // x, y and about z, SI
-  double cosine, sine;                                   // of the body then
-};
+typedef PlanarJump PlanarMotionChange;
 
 /// A body between two steps. Vectors of three have x, y and the rotation about z.
 struct PlanarBody {
