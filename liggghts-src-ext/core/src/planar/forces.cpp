@@ -1,62 +1,97 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of one step: what is common to its contacts, and the general path, one contact at a time
-// by the formulas that the sphere-level styles call.
+// Contact forces: what the SIMD loops are given, and the general path, one contact at a time.
 #include <algorithm>
 #include <cmath>
 
-#include "scene_data.h"
+#include "force_evaluator.h"
 #include "rodpack/contact/normal_history.h"
+#include "rodpack/contact/tangential_history.h"
 
 namespace rodpack {
 
-/// Of the blocks of a part.
-void PlanarScene::Data::evaluate_forces(int part) {
-  evaluate_general(pairs, kernel.pairs(forces_of(pairs, part)));
-  evaluate_general(at_walls, kernel.walls(forces_of(at_walls, part)));
+PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const PlanarKernel& kernel,
+                                           PlanarBodies& of_bodies,
+                                           const PlanarNeighbours& neighbours, PlanarBlocks& blocks,
+                                           PlanarEvents& of_contacts)
+    : settings(given),
+      slots(blocks.pairs.slots),
+      follows(given.events && given.order > 1),
+      bodies(of_bodies),
+      neighbours_(neighbours),
+      blocks_(blocks),
+      events(of_contacts),
+      kernel_(kernel) {
+  for (const PlanarWall& wall : settings.walls)
+    wall_lines_.push_back({wall.axis == 0 ? 1.0 : 0.0, wall.axis == 1 ? 1.0 : 0.0, wall.position,
+                           static_cast<double>(wall.free_side)});
+  for (const PlanarLaw& law : settings.laws)
+    laws.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
 }
 
-PlanarForces PlanarScene::Data::forces_of(PlanarBlockPool& pool, int part) {
+void PlanarForceEvaluator::evaluate(int part, long step) {
+  now = step;
+  evaluate_general(blocks_.pairs, kernel_.pairs(arguments(blocks_.pairs, part)));
+  evaluate_general(blocks_.at_walls, kernel_.walls(arguments(blocks_.at_walls, part)));
+}
+
+PlanarForces PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
   PlanarForces forces = PlanarForces();
-  forces.heads = pool.heads.data();
-  forces.values = pool.all_values.data();
-  forces.block_laws = pool.laws.data();
-  forces.touching = pool.touching(part);
-  forces.others = pool.others(part);
-  forces.rows = pool.rows();
-  forces.newest = pool.velocity(0, true);
-  forces.frames = frames.data();
-  forces.moved = moved.data();
-  forces.loads = loads.data();
+  pool.set_arguments(part, forces);
+  forces.frames = bodies.frame_array();
+  forces.moved = neighbours_.moved();
+  forces.loads = bodies.load_array();
   forces.jumped = events.jumped();
   forces.laws = laws.data();
   forces.one_law = laws.size() == 1;
-  forces.walls = wall_lines.data();
+  forces.walls = wall_lines_.data();
   forces.order = settings.order;
   const MultistepWeights& weights = adams_bashforth_weights(settings.order);
-  for (int k = 0; k < settings.order; ++k) {
-    forces.velocity[k] = pool.velocity(k);
-    forces.spring_weights[k] = settings.dt * weights[k];
-  }
+  for (int k = 0; k < settings.order; ++k) forces.spring_weights[k] = settings.dt * weights[k];
   forces.follows = follows;
-  if (static_cast<int>(general.size()) < pool.size()) {
-    general.resize(pool.size());
-    awake.resize(pool.size());
+  if (static_cast<int>(work_.general.size()) < pool.size()) {
+    work_.general.resize(pool.size());
+    work_.awake.resize(pool.size());
   }
-  forces.general = general.data();
-  forces.awake = awake.data();
+  forces.general = work_.general.data();
+  forces.awake = work_.awake.data();
   return forces;
 }
 
-/// The lanes that need it.
-void PlanarScene::Data::evaluate_general(PlanarBlockPool& pool, int entries) {
+/// Evaluates the lanes that the SIMD loop has left, one at a time.
+void PlanarForceEvaluator::evaluate_general(PlanarBlockPool& pool, int entries) {
   for (int k = 0; k < entries; ++k)
     for (int lane = 0; lane < planar_lanes; ++lane)
-      if (general[k].lanes & 1 << lane) evaluate_lane(pool, general[k].place, lane);
+      if (work_.general[k].lanes & 1 << lane) evaluate_lane(pool, work_.general[k].place, lane);
+}
+
+PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& pool, int place,
+                                                       int lane) const {
+  PlanarLaneState of_lane;
+  pool.save(place, lane, of_lane);
+  PlanarContactState state;
+  state.body_i = of_lane.i;
+  state.sphere_i = of_lane.sphere_i;
+  state.body_j = of_lane.j;
+  state.sphere_j = of_lane.sphere_j;
+  state.spring = of_lane.spring;
+  std::copy(of_lane.velocity, of_lane.velocity + max_multistep_order, state.velocity);
+  state.count = of_lane.sliding ? -of_lane.count : of_lane.count;
+  state.since = of_lane.since;
+  state.uncut = of_lane.uncut;
+  state.touch_rate = of_lane.touch_rate;
+  state.fresh = of_lane.fresh;
+  PlanarContact contact;
+  place_lane(pool, place, lane, contact);
+  state.constants[0] = laws[pool.laws[place]].friction;
+  state.constants[1] = contact.kt;
+  state.constants[2] = contact.gammat;
+  std::copy(contact.en, contact.en + 2, state.normal);
+  return state;
 }
 
 /// Sets the contact of a lane; false if its spheres do not overlap.
-bool PlanarScene::Data::place_lane(const PlanarBlockPool& pool, int place, int lane,
-                                   PlanarContact& contact) const {
+bool PlanarForceEvaluator::place_lane(const PlanarBlockPool& pool, int place, int lane,
+                                      PlanarContact& contact) const {
   const PlanarBlockHead& head = pool.heads[place];
   const double* const values = pool.values(place) + lane;
   const PlanarLawConstants& law = laws[pool.laws[place]];
@@ -66,25 +101,26 @@ bool PlanarScene::Data::place_lane(const PlanarBlockPool& pool, int place, int l
   contact.offset_i[1] = values[planar_yi];
   contact.offset_j[0] = values[planar_xj];
   contact.offset_j[1] = values[planar_yj];
-  contact.radi = frames[head.i].radius;
-  contact.radj = head.j < 0 ? 0.0 : frames[head.j].radius;
+  contact.radi = bodies.frame(head.i).radius;
+  contact.radj = head.j < 0 ? 0.0 : bodies.frame(head.j).radius;
   contact.kn = law.kn;
   contact.kt = law.kt;
   const double* const gammas = pool.values(place) + planar_gammas;
   contact.gamman = gammas[0];
   contact.gammat = gammas[1];
   if (head.j < 0) {
-    place_wall(contact, frames[head.i], settings.walls[-1 - head.j]);
+    place_wall(contact, bodies.frame(head.i), settings.walls[-1 - head.j]);
     return contact.deltan >= 0.0;
   }
-  place_pair(contact, frames[head.i], frames[head.j]);
+  place_pair(contact, bodies.frame(head.i), bodies.frame(head.j));
   return contact.rsq < contact.radsum * contact.radsum;
 }
 
-void PlanarScene::Data::apply(const PlanarContact& contact, double normal,
-                              const double (&tangential)[3]) {
+void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
+                                 const double (&tangential)[3]) {
   const Vector2<double> force = {normal * contact.en[0] + tangential[0],
                                  normal * contact.en[1] + tangential[1]};
+  PlanarVector* const loads = bodies.load_array();
   double* load = loads[contact.body_i].d;
   load[0] += force.x;
   load[1] += force.y;
@@ -96,7 +132,7 @@ void PlanarScene::Data::apply(const PlanarContact& contact, double normal,
   load[2] -= cross_z(contact.lever_j(), force);
 }
 
-void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
+void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
   const bool alive = (pool.heads[place].alive & 1 << lane) != 0;
   const double friction = laws[pool.laws[place]].friction;
   PlanarContact contact;
@@ -104,8 +140,8 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   if (!touches && !alive) return;
   if (touches && outlast_jump(pool, place, lane, contact)) return;
 
-  Saved lane_state;
-  save_lane(pool, place, lane, lane_state);
+  PlanarLaneState lane_state;
+  pool.save(place, lane, lane_state);
   // The history in space, already turned into the present plane of contact.
   TangentialHistory history(slots);
   const auto along = [&](double component, double* vector) {
@@ -136,11 +172,11 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
       end_normal_force(contact, normal_history, settings.dt, *followed);
       end_tangential_force(contact, history, tangential_step(), *followed);
     }
-    clear_lane(pool, place, lane);
+    pool.clear(place, lane);
     return;
   }
 
-  ++statistics.general;
+  ++general_contacts_;
   const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
   follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings.dt, followed);
   const TangentialForce tangential =
@@ -158,7 +194,7 @@ void PlanarScene::Data::evaluate_lane(PlanarBlockPool& pool, int place, int lane
   lane_state.uncut = normal_history.viscoelastic;
   lane_state.touch_rate = normal_history.touch_rate;
   lane_state.fresh = normal_history.just_touched;
-  restore_lane(pool, place, lane, lane_state, true);
+  pool.restore(place, lane, lane_state, true);
 }
 
 }  // namespace rodpack

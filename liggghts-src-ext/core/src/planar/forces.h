@@ -4,61 +4,67 @@
 
 #include <cstddef>
 
-#include "blocks.h"
+#include "block_layout.h"
 #include "contact.h"
-#include "rodpack/planar/scene.h"
+#include "parts.h"
+#include "rodpack/motion/multistep.h"
+#include "rodpack/planar/instructions.h"
 
 namespace rodpack {
 
-/// x, y, about z, unused: one register.
+// What the SIMD loops (kernel.h, kernel_bodies.h) are given. It is pointers alone: these loops are
+// compiled for one set of processor instructions each, and a member function or template that they
+// compiled with it could take the place of everybody's.
+
+/// Components along x, along y and about z of a vector, and one that is unused: one register.
 struct alignas(32) PlanarVector {
   double d[4];
 };
 
-// What the sources for one set of instructions (kernel.h) see of a scene: pointers only,
-// since a function of a class or template that they compiled could take the place of everybody's.
-
-/// A block of which some lanes need the general way.
+/// A block of which some lanes, one bit for each, need the general path.
 struct PlanarGeneral {
-  int place, lanes;  // bit per lane
+  int place, lanes;
 };
 
-/// A wall: those (x, y) at which x along_x + y along_y is its position; free_side as in PlanarWall.
+/// A wall: the points at which x along_x + y along_y is its position; free_side as in PlanarWall.
 struct PlanarWallLine {
   double along_x, along_y, position, free_side;
 };
 
-/// Blocks, and what their contacts need. Those on the short way are evaluated.
+/// Arguments of the loops over blocks, which evaluate the contacts on the fast path.
 struct PlanarForces {
-  // blocks
+  // Blocks, their numbers (block_layout.h) and the indices of their constants.
   PlanarBlockHead* heads;
   double* values;
   const int* block_laws;
-  int rows;
-  PlanarRange touching, others;       // whole groups; touching: not worth a look at their gap
-  int velocity[max_multistep_order];  // places of those k + 1 steps back in them
-  int newest;                         // of that of now
-  // bodies
+  int rows;  // of the numbers of a group
+  // The blocks to evaluate, in whole groups. Those of `touching` had contacts when they were
+  // sorted, so that it is not worth the time to ask whether their spheres can have met.
+  PlanarRange touching, others;
+  int velocity[max_multistep_order];  // offsets of the tangential velocities k + 1 steps back
+  int newest;                         // offset of the tangential velocity of this step
+  // Bodies.
   const PlanarFrame* frames;
-  const double* moved;  // at most, since it was listed, m
-  PlanarVector* loads;
-  const char* jumped;  // in the step before; null: none
-  // law
+  const double* moved;  // since their reference position, an upper bound, m
+  PlanarVector* loads;  // the forces are added to them
+  const char* jumped;   // whether a body had an event in the step before; null: none had
+  // The contact law.
   const PlanarLawConstants* laws;
   bool one_law;
   const PlanarWallLine* walls;
   int order;
-  double spring_weights[max_multistep_order];  // times dt
-  bool follows;                                // events
-  PlanarGeneral* general;                      // room for all blocks
-  int* awake;                                  // room for all blocks
+  double spring_weights[max_multistep_order];  // of the velocities in the spring, times dt, s
+  bool follows;                                // whether events are corrected for
+  // Room for an entry for each block.
+  PlanarGeneral* general;
+  int* awake;
 };
 
-/// Where a body was listed.
+/// Reference state of a body: where its neighbour list was made the last time, and with which skin.
 struct PlanarListed {
   double x, y, cosine, sine;
-  double reach;  // of its farthest point from the centre of mass, m
-  double skin;   // that it was listed with
+  double reach;  // distance of its farthest point from the centre of mass, m
+  double skin;   // m
 };
 
 // Where registers find pairs of numbers in these structures, counted in doubles.
@@ -86,37 +92,37 @@ static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, a
                   offsetof(PlanarBlockHead, used) + 3 == offsetof(PlanarBlockHead, sliding),
               "kernel.h reads these four bytes as one number, in this order");
 
-constexpr int body_lanes = 4;  // bodies that move at a time
+constexpr int body_lanes = 4;  // bodies that the SIMD loop advances at a time
 
-/// The same for these; one that is not there has an endless skin.
+/// Reference states of so many bodies, side by side. A lane without a body has an infinite skin.
 struct alignas(64) PlanarListedLanes {
   double x[body_lanes], y[body_lanes], cosine[body_lanes], sine[body_lanes];
   double reach[body_lanes], skin[body_lanes];
 };
 
-/// Bodies, and what their motion needs.
+/// Arguments of the loop that advances bodies by a step.
 struct PlanarMotions {
-  PlanarRange bodies;  // from the first of a register on
+  PlanarRange bodies;  // `first` is a multiple of body_lanes
   int order;
   double dt;
   PlanarFrame* frames;
-  PlanarVector* loads;  // become weights, for the forces of the next evaluation
-  PlanarVector gravity;
+  PlanarVector* loads;   // become the weights, to which the forces of the next step are added
+  PlanarVector gravity;  // m/s^2
   const PlanarVector* inertia;  // 1/mass, 1/mass, 1/moment, mass
   PlanarVector *past_velocity[max_multistep_order], *past_acceleration[max_multistep_order];
   signed char* evaluations;
   double velocity_weights[max_multistep_order];
-  double force_weights[max_multistep_order + 2][max_multistep_order];  // after so many evaluations
+  double force_weights[max_multistep_order + 2][max_multistep_order];  // by number of evaluations
   const PlanarListedLanes* listed;
-  int steps_ahead;  // a body that is about to leave its skin in so many further steps is listed now
-  double* moved;    // room for whole lanes
-  int* to_list;     // room for all bodies
+  int steps_ahead;  // who is about to leave its skin in so many further steps is listed now
+  double* moved;    // since the reference position, an upper bound, m; room for whole registers
+  int* to_list;     // becomes the bodies to be listed anew; room for all
 };
 
-/// The functions of one set of instructions.
+/// The SIMD loops for one set of processor instructions.
 struct PlanarKernel {
-  int (*pairs)(const PlanarForces&);  // return the number of entries in `general`
-  int (*walls)(const PlanarForces&);
+  int (*pairs)(const PlanarForces&);     // returns the number of entries in `general`
+  int (*walls)(const PlanarForces&);     // the same
   int (*advance)(const PlanarMotions&);  // returns the number of entries in `to_list`
 };
 

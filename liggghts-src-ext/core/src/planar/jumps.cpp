@@ -3,7 +3,7 @@
 // in ten of those that cannot take the short way, where a bed is being hit.
 #include <algorithm>
 
-#include "scene_data.h"
+#include "force_evaluator.h"
 
 namespace rodpack {
 
@@ -40,8 +40,8 @@ ForceChange change_of_dashpots(const PlanarContact& contact, const AlongAxis& no
 
 /// What the general way does with such a contact (normal_history.h, tangential_history.h), along
 /// normal and tangent; false, with nothing done, if it is none.
-bool PlanarScene::Data::outlast_jump(PlanarBlockPool& pool, int place, int lane,
-                                     const PlanarContact& contact) {
+bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int lane,
+                                        const PlanarContact& contact) {
   const PlanarBlockHead& head = pool.heads[place];
   const int bit = 1 << lane;
   ContactJump jump;
