@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
 #include "atom.h"
 #include "comm.h"
@@ -22,13 +21,12 @@
 #include "neighbor.h"
 #include "pair_gran.h"
 #include "primitive_wall.h"
-#include "rodpack/contact/contact_history.h"
+#include "rodpack/contact/planar_history.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
 
 using rodpack::NormalHistory;
-using rodpack::PlanarContactState;
 using rodpack::TangentialHistory;
 
 namespace {
@@ -100,20 +98,6 @@ bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   return false;
 }
 
-/// History of one contact, as the models of LIGGGHTS keep it, along the tangent z x n.
-struct Frame {
-  double tangent[2];
-  Frame(double nx, double ny) : tangent{-ny, nx} {}
-  double along(const double* vector) const {
-    return vector[0] * tangent[0] + vector[1] * tangent[1];
-  }
-  void set(double component, double* vector) const {
-    vector[0] = component * tangent[0];
-    vector[1] = component * tangent[1];
-    vector[2] = 0.0;
-  }
-};
-
 }  // namespace
 
 void PlanarContacts::refuse(const std::string& what) const {
@@ -183,42 +167,21 @@ struct PlanarContacts::Record {
   NormalHistory normal;
   TangentialHistory tangential;
 
-  explicit Record(int slots) : tangential(slots) {}
   Record(const double* stored, int slots)
       : normal(rodpack::unpack_normal(stored)),
         tangential(rodpack::unpack_tangential(stored + rodpack::stored_normal_values, slots)) {}
+  Record(const PlanarContactRecord& contact, int slots, std::int64_t now) : tangential(slots) {
+    to_space(contact.state.history, {contact.normal[0], contact.normal[1]}, normal, tangential);
+    normal.next_step = now + 1;
+    tangential.step = now;
+    tangential.friction = contact.state.constants[0];
+    tangential.stiffness = contact.state.constants[1];
+    tangential.damping = contact.state.constants[2];
+  }
 
   bool lives(std::int64_t now) const { return tangential.known != 0 && tangential.step == now; }
-  PlanarContactState in_plane(const Frame& frame) const {
-    PlanarContactState contact = PlanarContactState();
-    contact.spring = frame.along(tangential.spring);
-    for (int k = 0; k < tangential.slots; ++k)
-      contact.velocity[k] = frame.along(tangential.velocity[k]);
-    contact.count = tangential.sliding ? -tangential.known : tangential.known;
-    contact.since = tangential.since;
-    contact.uncut = normal.viscoelastic;
-    contact.touch_rate = normal.touch_rate;
-    contact.fresh = normal.just_touched;
-    return contact;
-  }
-  static void write(const PlanarContactState& contact, const Frame& frame, std::int64_t now,
-                    int slots, double* stored) {
-    Record record(slots);
-    TangentialHistory& tangential = record.tangential;
-    frame.set(contact.spring, tangential.spring);
-    for (int k = 0; k < slots; ++k) frame.set(contact.velocity[k], tangential.velocity[k]);
-    tangential.known = std::abs(contact.count);
-    tangential.sliding = contact.count < 0;
-    tangential.step = now;
-    tangential.since = contact.since;
-    tangential.friction = contact.constants[0];
-    tangential.stiffness = contact.constants[1];
-    tangential.damping = contact.constants[2];
-    record.normal.viscoelastic = contact.uncut;
-    record.normal.touch_rate = contact.touch_rate;
-    record.normal.just_touched = contact.fresh;
-    record.normal.next_step = now + 1;
-    rodpack::pack(record.normal, stored);
+  void store(double* stored) const {
+    rodpack::pack(normal, stored);
     rodpack::pack(tangential, stored + rodpack::stored_normal_values);
   }
 };
@@ -245,7 +208,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.atom = atom->tag[i];
       contact.partner = atom->tag[j];
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
-      contact.state = record.in_plane(Frame(dx / r, dy / r));
+      contact.state.history = to_plane(record.normal, record.tangential, {dx / r, dy / r});
       send(contact, i);
       if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
     }
@@ -260,7 +223,8 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.partner = -1 - static_cast<int>(w);
       const int axis = planes[w].axis;
       const double side = planes[w].side_of(x[i][axis] - planes[w].position);
-      contact.state = record.in_plane(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0));
+      contact.state.history = to_plane(record.normal, record.tangential,
+                                       {axis == 0 ? side : 0.0, axis == 1 ? side : 0.0});
       send(contact, i);
     }
   return exchange_records(world, std::move(contacts));
@@ -282,8 +246,8 @@ void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& reco
       std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
   for (const PlanarContactRecord& contact : records)
     if (contact.partner < 0)
-      Record::write(contact.state, Frame(contact.normal[0], contact.normal[1]), now, slots_,
-                    WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
+      Record(contact, slots_, now)
+          .store(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
 }
 
 void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
@@ -314,8 +278,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
     missing += (is_there ? -1 : 1) * (j >= 0 && j < atom->nlocal ? 1 : is_there ? 0 : 2);
     if (!is_there) continue;
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    Record::write(contact.state, Frame(contact.normal[0], contact.normal[1]), now, slots_,
-                  list->listgranhistory->firstdouble[i] + values_ * jj);
+    Record(contact, slots_, now).store(list->listgranhistory->firstdouble[i] + values_ * jj);
   }
   if (missing != 0)
     error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
@@ -342,8 +305,7 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
     if (contact.partner < 0) continue;
     const int i = local_atom(contact.atom), place = HistoryAccess::count(histories, i)++;
     HistoryAccess::partners(histories, i)[place] = contact.partner;
-    Record::write(contact.state, Frame(contact.normal[0], contact.normal[1]), now, slots_,
-                  histories->contacthistory(i, place));
+    Record(contact, slots_, now).store(histories->contacthistory(i, place));
   }
 }
 

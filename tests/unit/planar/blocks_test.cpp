@@ -36,14 +36,15 @@ int add_block(PlanarBlockPool& pool, const PlanarParts& parts, int i, int j, int
 
 PlanarLaneState state_of(double seed) {
   PlanarLaneState state = PlanarLaneState();
-  state.sliding = true;
-  state.fresh = true;
-  state.count = 2;
-  state.spring = seed;
-  for (int k = 0; k < slots; ++k) state.velocity[k] = seed + 0.1 * (k + 1);
-  state.uncut = seed + 1.0;
-  state.touch_rate = seed + 2.0;
-  state.since = seed + 3.0;
+  PlanarHistory& history = state.history;
+  history.sliding = true;
+  history.just_touched = true;
+  history.known = 2;
+  history.spring = seed;
+  for (int k = 0; k < slots; ++k) history.velocity[k] = seed + 0.1 * (k + 1);
+  history.viscoelastic = seed + 1.0;
+  history.touch_rate = seed + 2.0;
+  history.since = seed + 3.0;
   return state;
 }
 
@@ -54,15 +55,15 @@ PlanarLaneState saved(const PlanarBlockPool& pool, int place, int lane) {
 }
 
 void expect_same_history(const PlanarLaneState& a, const PlanarLaneState& b) {
-  EXPECT_EQ(a.sliding, b.sliding);
   EXPECT_EQ(a.mature, b.mature);
-  EXPECT_EQ(a.fresh, b.fresh);
-  EXPECT_EQ(a.count, b.count);
-  EXPECT_EQ(a.spring, b.spring);
-  for (int k = 0; k < slots; ++k) EXPECT_EQ(a.velocity[k], b.velocity[k]) << k;
-  EXPECT_EQ(a.uncut, b.uncut);
-  EXPECT_EQ(a.touch_rate, b.touch_rate);
-  EXPECT_EQ(a.since, b.since);
+  EXPECT_EQ(a.history.sliding, b.history.sliding);
+  EXPECT_EQ(a.history.just_touched, b.history.just_touched);
+  EXPECT_EQ(a.history.known, b.history.known);
+  EXPECT_EQ(a.history.spring, b.history.spring);
+  for (int k = 0; k < slots; ++k) EXPECT_EQ(a.history.velocity[k], b.history.velocity[k]) << k;
+  EXPECT_EQ(a.history.viscoelastic, b.history.viscoelastic);
+  EXPECT_EQ(a.history.touch_rate, b.history.touch_rate);
+  EXPECT_EQ(a.history.since, b.history.since);
 }
 
 /// Squared distance of the spheres that a lane names, were both bodies at the origin.
@@ -94,7 +95,7 @@ TEST(PlanarBlocks, ALaneIsRestoredToWhatWasSaved) {
     }
   pool.clear(places[3], 1);
   EXPECT_EQ(pool.contacts(), 11u);
-  EXPECT_EQ(saved(pool, places[3], 1).count, 0);
+  EXPECT_EQ(saved(pool, places[3], 1).history.known, 0);
   expect_same_history(saved(pool, places[3], 0), state_of(30.0));
 }
 
@@ -219,7 +220,7 @@ TEST(PlanarBlocks, AreSortedByContactAndByPart) {
         EXPECT_LE(parts.of_pair(head.i, head.j), part) << "a body that has not moved yet";
         if (head.used == 0) continue;
         EXPECT_EQ(head.alive != 0, touching);
-        if (touching) springs.erase(saved(pool, place, 0).spring);
+        if (touching) springs.erase(saved(pool, place, 0).history.spring);
       }
     }
   for (const int count : times) EXPECT_EQ(count, 1) << "each block is in one range";

@@ -23,11 +23,9 @@ PlanarBody tagged(int tag, double x) {
   return body;
 }
 
-PlanarMotionChange some_change() {
-  return {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}, 0.6, 0.8};
-}
+PlanarJump some_change() { return {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}, 0.6, 0.8}; }
 
-void expect_same(const PlanarMotionChange& a, const PlanarMotionChange& b) {
+void expect_same(const PlanarJump& a, const PlanarJump& b) {
   for (int d = 0; d < 3; ++d) {
     EXPECT_EQ(a.acceleration[d], b.acceleration[d]);
     EXPECT_EQ(a.velocity[d], b.velocity[d]);

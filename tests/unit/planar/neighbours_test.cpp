@@ -132,10 +132,10 @@ TEST(PlanarNeighbours, ContactsKeepTheirHistoryWhenABodyIsListedAnew) {
     contact.sphere_i = static_cast<std::uint16_t>(key[1]);
     contact.j = key[2];
     contact.sphere_j = static_cast<std::uint16_t>(key[3]);
-    contact.count = 3;
-    contact.sliding = contacts.size() % 2 == 0;
-    contact.spring = 1e-6 * static_cast<double>(contacts.size());
-    contact.velocity[2] = 1.0 + static_cast<double>(contacts.size());
+    contact.history.known = 3;
+    contact.history.sliding = contacts.size() % 2 == 0;
+    contact.history.spring = 1e-6 * static_cast<double>(contacts.size());
+    contact.history.velocity[2] = 1.0 + static_cast<double>(contacts.size());
     EXPECT_TRUE(scene.blocks.restore(contact));
     contacts.push_back(contact);
   }
@@ -150,9 +150,9 @@ TEST(PlanarNeighbours, ContactsKeepTheirHistoryWhenABodyIsListedAnew) {
     ASSERT_GE(at.first, 0);
     PlanarLaneState kept;
     scene.blocks.pairs.save(at.first, at.second, kept);
-    EXPECT_EQ(kept.spring, contact.spring);
-    EXPECT_EQ(kept.velocity[2], contact.velocity[2]);
-    EXPECT_EQ(kept.sliding, contact.sliding);
+    EXPECT_EQ(kept.history.spring, contact.history.spring);
+    EXPECT_EQ(kept.history.velocity[2], contact.history.velocity[2]);
+    EXPECT_EQ(kept.history.sliding, contact.history.sliding);
   }
 }
 

@@ -123,16 +123,17 @@ void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
   state.j = head.j;
   state.sphere_i = birth.sphere_i[lane];
   state.sphere_j = birth.sphere_j[lane];
-  state.sliding = (head.sliding & bit) != 0;
   state.mature = (head.mature & bit) != 0;
-  state.fresh = birth.fresh[lane];
-  state.count = birth.count[lane];
-  state.spring = of_lane[planar_spring];
+  PlanarHistory& history = state.history;
+  history.sliding = (head.sliding & bit) != 0;
+  history.just_touched = birth.just_touched[lane];
+  history.known = birth.known[lane];
+  history.spring = of_lane[planar_spring];
   for (int k = 0; k < max_multistep_order; ++k)
-    state.velocity[k] = k < slots ? of_lane[velocity(k)] : 0.0;
-  state.uncut = of_lane[planar_uncut];
-  state.touch_rate = birth.touch_rate[lane];
-  state.since = birth.since[lane];
+    history.velocity[k] = k < slots ? of_lane[velocity(k)] : 0.0;
+  history.viscoelastic = of_lane[planar_viscoelastic];
+  history.touch_rate = birth.touch_rate[lane];
+  history.since = birth.since[lane];
 }
 
 void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state, bool turned) {
@@ -142,16 +143,17 @@ void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state,
   const auto set = [&](std::uint8_t& bits, bool on) {
     bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
   };
-  set(head.alive, state.count != 0);
+  const PlanarHistory& history = state.history;
+  set(head.alive, history.known != 0);
   set(head.mature, state.mature);
-  set(head.sliding, state.sliding);
-  birth.fresh[lane] = state.fresh;
-  birth.count[lane] = state.count;
-  birth.touch_rate[lane] = state.touch_rate;
-  birth.since[lane] = state.since;
-  of_lane[planar_spring] = state.spring;
-  for (int k = 0; k < slots; ++k) of_lane[velocity(k, turned)] = state.velocity[k];
-  of_lane[planar_uncut] = state.uncut;
+  set(head.sliding, history.sliding);
+  birth.just_touched[lane] = history.just_touched;
+  birth.known[lane] = static_cast<std::int8_t>(history.known);
+  birth.touch_rate[lane] = history.touch_rate;
+  birth.since[lane] = history.since;
+  of_lane[planar_spring] = history.spring;
+  for (int k = 0; k < slots; ++k) of_lane[velocity(k, turned)] = history.velocity[k];
+  of_lane[planar_viscoelastic] = history.viscoelastic;
 }
 
 bool PlanarBlocks::restore(const PlanarLaneState& contact) {

@@ -10,7 +10,7 @@
 #include "aligned_vector.h"
 #include "block_layout.h"
 #include "parts.h"
-#include "rodpack/motion/multistep.h"
+#include "rodpack/contact/planar_history.h"
 
 namespace rodpack {
 
@@ -22,18 +22,17 @@ struct PlanarForces;
 struct PlanarBlockBirth {
   double touch_rate[planar_lanes], since[planar_lanes];
   std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
-  std::int8_t count[planar_lanes];
-  bool fresh[planar_lanes];
+  std::int8_t known[planar_lanes];
+  bool just_touched[planar_lanes];
 };
 
-/// State of the contact of a lane, apart from where it lies. Members as in PlanarContactState;
-/// count 0: there is no contact.
+/// State of the contact of a lane, apart from where it lies: bodies and spheres as in
+/// PlanarContactState, its history, and whether that is full.
 struct PlanarLaneState {
   int i, j;
   std::uint16_t sphere_i, sphere_j;
-  bool sliding, mature, fresh;
-  std::int8_t count;
-  double spring, velocity[max_multistep_order], uncut, touch_rate, since;
+  bool mature;
+  PlanarHistory history;
 };
 
 /// Blocks in groups, and an index of the blocks of each body. Places that no block has are holes,

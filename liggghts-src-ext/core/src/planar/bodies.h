@@ -54,7 +54,7 @@ class PlanarBodies {
   /// Makes the motion that events have found to be missing, and a past for bodies that have none.
   void prepare(int part, long step);
   /// Sets what the SIMD loop needs to advance the part from `step`.
-  void set_arguments(int part, long step, PlanarMotions& motions);
+  void set_arguments(int part, long step, PlanarAdvance& motions);
   /// Corrects the past of bodies whose contacts had events in the step before `step`, and keeps the
   /// motion that they have missed.
   void apply_events(int part, long step, PlanarEvents& events);

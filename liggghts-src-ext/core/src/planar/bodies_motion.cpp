@@ -38,7 +38,7 @@ void PlanarBodies::prepare(int part, long step) {
   newborn_[part].clear();
 }
 
-void PlanarBodies::set_arguments(int part, long step, PlanarMotions& motions) {
+void PlanarBodies::set_arguments(int part, long step, PlanarAdvance& motions) {
   const int order = settings.order;
   motions.bodies = parts.bodies(part);
   motions.order = order;

@@ -40,10 +40,6 @@ struct PlanarContact {
   double kn, kt, gamman, gammat;
 
   Vector2<double> normal() const { return {en[0], en[1]}; }
-  /// Component along the tangent z x n.
-  double along_tangent(const double* vector) const {
-    return cross_z<double>(normal(), {vector[0], vector[1]});
-  }
   double tangential_velocity() const { return cross_z<double>(normal(), {vtr1, vtr2}); }
   /// Levers from the centres of mass to the contact.
   Vector2<double> lever_i() const {

@@ -73,13 +73,7 @@ PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& po
   state.sphere_i = of_lane.sphere_i;
   state.body_j = of_lane.j;
   state.sphere_j = of_lane.sphere_j;
-  state.spring = of_lane.spring;
-  std::copy(of_lane.velocity, of_lane.velocity + max_multistep_order, state.velocity);
-  state.count = of_lane.sliding ? -of_lane.count : of_lane.count;
-  state.since = of_lane.since;
-  state.uncut = of_lane.uncut;
-  state.touch_rate = of_lane.touch_rate;
-  state.fresh = of_lane.fresh;
+  state.history = of_lane.history;
   PlanarContact contact;
   place_lane(pool, place, lane, contact);
   state.constants[0] = laws[pool.laws[place]].friction;
@@ -143,25 +137,14 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   PlanarLaneState lane_state;
   pool.save(place, lane, lane_state);
   // The history in space, already turned into the present plane of contact.
+  NormalHistory normal_history;
   TangentialHistory history(slots);
-  const auto along = [&](double component, double* vector) {
-    const Vector2<double> in_plane = in_space<double>(contact.normal(), 0.0, component);
-    vector[0] = in_plane.x;
-    vector[1] = in_plane.y;
-  };
-  along(lane_state.spring, history.spring);
-  for (int k = 0; k < slots; ++k) along(lane_state.velocity[k], history.velocity[k]);
-  history.known = alive ? lane_state.count : 0;
-  history.sliding = alive && lane_state.sliding;
+  to_space(lane_state.history, contact.normal(), normal_history, history);
+  if (!alive) history.known = 0;
   history.step = now - 1;
-  history.since = lane_state.since;
   history.friction = friction;
   history.stiffness = contact.kt;
   history.damping = contact.gammat;
-  NormalHistory normal_history;
-  normal_history.viscoelastic = lane_state.uncut;
-  normal_history.touch_rate = lane_state.touch_rate;
-  normal_history.just_touched = lane_state.fresh;
   PlanarEvents* const followed = follows ? &events : nullptr;
 
   if (!touches) {
@@ -184,16 +167,8 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
                                static_cast<const PlanarEvents*>(followed), followed);
   apply(contact, normal.total, tangential.force);
 
-  lane_state.spring = contact.along_tangent(history.spring);
-  for (int k = 0; k < slots; ++k)
-    lane_state.velocity[k] = contact.along_tangent(history.velocity[k]);
-  lane_state.count = static_cast<std::int8_t>(history.known);
-  lane_state.sliding = history.sliding;
-  lane_state.mature = lane_state.count == full_count();
-  lane_state.since = history.since;
-  lane_state.uncut = normal_history.viscoelastic;
-  lane_state.touch_rate = normal_history.touch_rate;
-  lane_state.fresh = normal_history.just_touched;
+  lane_state.history = to_plane(normal_history, history, contact.normal());
+  lane_state.mature = history.known == full_count();
   pool.restore(place, lane, lane_state, true);
 }
 

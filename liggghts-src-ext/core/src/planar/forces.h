@@ -101,7 +101,7 @@ struct alignas(64) PlanarListedLanes {
 };
 
 /// Arguments of the loop that advances bodies by a step.
-struct PlanarMotions {
+struct PlanarAdvance {
   PlanarRange bodies;  // `first` is a multiple of body_lanes
   int order;
   double dt;
@@ -123,7 +123,7 @@ struct PlanarMotions {
 struct PlanarKernel {
   int (*pairs)(const PlanarForces&);     // returns the number of entries in `general`
   int (*walls)(const PlanarForces&);     // the same
-  int (*advance)(const PlanarMotions&);  // returns the number of entries in `to_list`
+  int (*advance)(const PlanarAdvance&);  // returns the number of entries in `to_list`
 };
 
 PlanarKernel planar_kernel_baseline();

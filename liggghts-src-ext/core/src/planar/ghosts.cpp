@@ -65,7 +65,7 @@ void PlanarGhosts::move(int ghost, const PlanarFrame& frame, std::vector<int>& t
   if (neighbours_.follow_ghost(ghost)) to_list.push_back(ghost);
 }
 
-void PlanarGhosts::set_jumped(int ghost, const PlanarMotionChange& change) {
+void PlanarGhosts::set_jumped(int ghost, const PlanarJump& change) {
   events_.set_jumped(ghost, change);
 }
 

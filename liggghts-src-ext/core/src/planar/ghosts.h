@@ -29,7 +29,7 @@ class PlanarGhosts {
   /// Brings a ghost to the next step; appends it to `to_list` if it has to be listed anew.
   void move(int ghost, const PlanarFrame& frame, std::vector<int>& to_list);
   /// The ghost had an event in the last step.
-  void set_jumped(int ghost, const PlanarMotionChange& change);
+  void set_jumped(int ghost, const PlanarJump& change);
 
  private:
   void drop_all_but(const std::vector<PlanarBody>& chosen);

@@ -249,7 +249,7 @@ void PlanarHalo::unpack(const Partner& partner, const PlanarLink& link, std::vec
   }
   for (int jumps = static_cast<int>(*next++); jumps > 0; --jumps) {
     const int ghost = partner.received[static_cast<int>(*next++)];
-    PlanarMotionChange change;
+    PlanarJump change;
     next = unpack_change(next, change);
     ghosts_.set_jumped(ghost, change);
   }

@@ -23,7 +23,7 @@ const double* unpack_frame(const double* from, PlanarFrame& frame) {
   return from + frame_values;
 }
 
-double* pack_change(const PlanarMotionChange& change, double* to) {
+double* pack_change(const PlanarJump& change, double* to) {
   for (const double(*part)[3] : {&change.acceleration, &change.velocity, &change.displacement})
     to = std::copy(*part, *part + 3, to);
   *to++ = change.cosine;
@@ -31,7 +31,7 @@ double* pack_change(const PlanarMotionChange& change, double* to) {
   return to;
 }
 
-const double* unpack_change(const double* from, PlanarMotionChange& change) {
+const double* unpack_change(const double* from, PlanarJump& change) {
   for (double(*part)[3] : {&change.acceleration, &change.velocity, &change.displacement}) {
     std::copy(from, from + 3, *part);
     from += 3;

@@ -19,8 +19,8 @@ double* pack_frame(const PlanarFrame& frame, double* to);
 const double* unpack_frame(const double* from, PlanarFrame& frame);
 
 /// What an event did to a body.
-double* pack_change(const PlanarMotionChange& change, double* to);
-const double* unpack_change(const double* from, PlanarMotionChange& change);
+double* pack_change(const PlanarJump& change, double* to);
+const double* unpack_change(const double* from, PlanarJump& change);
 
 /// The largest number of doubles of a message of one step about so many bodies.
 std::size_t most_step_values(std::size_t bodies);

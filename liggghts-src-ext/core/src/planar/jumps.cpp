@@ -45,7 +45,7 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   const PlanarBlockHead& head = pool.heads[place];
   const int bit = 1 << lane;
   ContactJump jump;
-  if (!follows || !(head.mature & bit) || pool.births[place].fresh[lane] ||
+  if (!follows || !(head.mature & bit) || pool.births[place].just_touched[lane] ||
       !(contact.gammat > 0.0) || !events.motion_changed(contact, jump))
     return false;
   const double tangent[3] = {-contact.en[1], contact.en[0], 0.0};
@@ -68,7 +68,7 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   lasting.overlap = contact.deltan;
   lasting.separation_velocity = contact.vn;
   // The dashpot of the last evaluation did not know of the event.
-  lasting.viscoelastic_before = values[planar_uncut] - contact.gamman * normal.velocity;
+  lasting.viscoelastic_before = values[planar_viscoelastic] - contact.gamman * normal.velocity;
   lasting.tangential_stiffness = contact.kt;
   lasting.inverse_stiffness.inverse = law.inverse_kt;
   lasting.tangential_damping = contact.gammat;
@@ -82,7 +82,7 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
                                    0.0};
   apply(contact, force.normal, along_tangent);
   values[planar_spring] = force.spring;
-  values[planar_uncut] = force.viscoelastic;
+  values[planar_viscoelastic] = force.viscoelastic;
   for (int k = 0; k < slots; ++k) values[pool.velocity(k)] = velocity[k];
   values[pool.velocity(0, true)] = lasting.tangential_velocity;
   if ((force.pushes && contact.gamman > 0.0) || !force.slides)

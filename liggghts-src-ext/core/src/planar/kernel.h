@@ -73,7 +73,7 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   const Lanes friction = set_constants(first, values, forces, contact);
   contact.overlap = motion.overlap;
   contact.separation_velocity = motion.separation_velocity;
-  contact.viscoelastic_before = load_lanes(values + planar_uncut);
+  contact.viscoelastic_before = load_lanes(values + planar_viscoelastic);
   contact.tangential_velocity = motion.tangential_velocity;
   contact.spring_before = load_lanes(values + planar_spring);
   contact.spring = contact.spring_before;
@@ -93,7 +93,7 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   result.normal = lane_choice(acts, force.normal, zero);
   result.tangential = lane_choice(acts, force.tangential, zero);
   keep_lanes(acts, values + planar_spring, force.spring);
-  keep_lanes(acts, values + planar_uncut, force.viscoelastic);
+  keep_lanes(acts, values + planar_viscoelastic, force.viscoelastic);
   keep_lanes(acts, values + forces.newest, motion.tangential_velocity);
   sliding = lane_bits(lane_choice(acts, force.slides, contact.slid));
   return result;

@@ -65,7 +65,7 @@ int evaluate_walls(const PlanarForces& forces) {
 
 /// One multistep step of the velocity; returns the displacement over dt. `ahead`: becomes about the
 /// displacement in the steps that are looked ahead.
-inline Lanes advance_velocity(const PlanarMotions& motions, int body, Lanes& ahead) {
+inline Lanes advance_velocity(const PlanarAdvance& motions, int body, Lanes& ahead) {
   const int order = motions.order;
   if (motions.evaluations[body] <= order) ++motions.evaluations[body];
   const double* const of_force = motions.force_weights[motions.evaluations[body]];
@@ -117,7 +117,7 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
 
 /// rigid_motion.h's planar step for these bodies; the rotation by the increment of the angle is
 /// made on cosine and sine.
-int advance(const PlanarMotions& motions) {
+int advance(const PlanarAdvance& motions) {
   int entries = 0;
   for (int first = motions.bodies.first; first < motions.bodies.end; first += body_lanes) {
     // Bodies beyond the last repeat it.

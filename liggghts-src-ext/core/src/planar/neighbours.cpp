@@ -72,7 +72,7 @@ void PlanarNeighbours::renew_steps_within_skins() {
   steps_of_listed_ = most_steps_in_pass;
 }
 
-void PlanarNeighbours::set_arguments(int steps_ahead, PlanarMotions& motions) {
+void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvance& motions) {
   motions.steps_ahead = steps_ahead;
   motions.listed = listed_lanes_.data();
   motions.moved = moved_.data();

@@ -49,7 +49,7 @@ class PlanarNeighbours {
 
   /// Sets what the SIMD loop needs to find the bodies that have left their skin, or will in
   /// `steps_ahead` further steps.
-  void set_arguments(int steps_ahead, PlanarMotions& motions);
+  void set_arguments(int steps_ahead, PlanarAdvance& motions);
   /// Upper bounds on how far each body has moved since it was listed, m.
   const double* moved() const { return moved_.data(); }
   /// The number of lists of single bodies that were made anew.

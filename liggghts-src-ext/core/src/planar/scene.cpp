@@ -79,15 +79,9 @@ PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, i
   state.j = swapped ? contact.body_i : contact.body_j;
   state.sphere_i = static_cast<std::uint16_t>(swapped ? contact.sphere_j : contact.sphere_i);
   state.sphere_j = static_cast<std::uint16_t>(swapped ? contact.sphere_i : contact.sphere_j);
-  state.sliding = contact.count < 0;
-  state.count = static_cast<std::int8_t>(std::min(std::abs(contact.count), full_count));
-  state.mature = state.count == full_count;
-  state.fresh = contact.fresh;
-  state.spring = contact.spring;
-  std::copy(contact.velocity, contact.velocity + max_multistep_order, state.velocity);
-  state.uncut = contact.uncut;
-  state.touch_rate = contact.touch_rate;
-  state.since = contact.since;
+  state.history = contact.history;
+  state.history.known = std::min(contact.history.known, full_count);
+  state.mature = state.history.known == full_count;
   return state;
 }
 
@@ -203,7 +197,7 @@ bool PlanarScene::Data::move(int step, int part) {
     return false;
   }
   bodies.prepare(part, steps + step);
-  PlanarMotions motions = PlanarMotions();
+  PlanarAdvance motions = PlanarAdvance();
   bodies.set_arguments(part, steps + step, motions);
   neighbours.set_arguments(steps_of_pass_ - 1 - step, motions);
   to_list.resize(motions.bodies.end - motions.bodies.first);

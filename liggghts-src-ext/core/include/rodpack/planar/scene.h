@@ -7,6 +7,7 @@
 
 #include "instructions.h"
 #include "../contact/event_correction.h"
+#include "../contact/planar_history.h"
 #include "../motion/rigid_motion.h"
 
 namespace rodpack {
@@ -66,8 +67,6 @@ struct PlanarSphere {
   int tag = 0;  // by which the caller knows it
 };
 
-typedef PlanarJump PlanarMotionChange;
-
 /// A body between two steps. Vectors of three have x, y and the rotation about z.
 struct PlanarBody {
   int tag = -1;                       // >= 0, the same on all ranks; -1: its index
@@ -87,21 +86,14 @@ struct PlanarBody {
   double missed_displacement[3] = {0.0, 0.0, 0.0};
   double missed_velocity[3] = {0.0, 0.0, 0.0};
   bool jumped = false;  // whether an event let its acceleration jump in the last step; then:
-  PlanarMotionChange change = {};
+  PlanarJump change = {};
 };
 
-/// A contact that was evaluated in the last step, and its history. Scalars are components along the
-/// tangent z x n, with the normal n from j to i.
+/// A contact that was evaluated in the last step, and its history.
 struct PlanarContactState {
   int body_i, sphere_i;
   int body_j, sphere_j;  // a wall: -1 - its index, and 0
-  double spring;         // tangential spring, m
-  double
-      velocity[max_multistep_order];  // tangential velocities of the last steps, newest first, m/s
-  int count;                          // velocities known, at most order + 1; negative while sliding
-  double since;                       // time from touch to the end of its step, s
-  double uncut, touch_rate;           // as in NormalHistory
-  bool fresh;                         // evaluated once so far
+  PlanarHistory history;
   // Set by contacts(), ignored by set_contacts():
   double constants[3];  // mu k_n (N/m), k_t (N/m), tangential dashpot (kg/s)
   double normal[2];     // from j to i, unit length
