@@ -18,7 +18,7 @@ namespace rodpack {
 /// Evaluates the contact forces of one part of the bodies at a time: adds them to the loads of the
 /// bodies, brings the contact histories to the present step, and reports the contacts' events. Most
 /// contacts take the SIMD loop; those to which something happens that it does not know are left to
-/// the general path, one contact at a time by the formulas that the sphere-level styles call.
+/// the general path, one contact at a time by the formulas of contacts in space.
 class PlanarForceEvaluator {
  public:
   /// All that is given has to outlive it.

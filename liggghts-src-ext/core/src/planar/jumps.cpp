@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts to which nothing happens but that a body of theirs had an event in the step before: nine
-// in ten of those that cannot take the short way, where a bed is being hit.
+// in ten of those that cannot take the fast path, where a bed is being hit.
 #include <algorithm>
 
 #include "force_evaluator.h"
@@ -38,7 +38,7 @@ ForceChange change_of_dashpots(const PlanarContact& contact, const AlongAxis& no
 
 }  // namespace
 
-/// What the general way does with such a contact (normal_history.h, tangential_history.h), along
+/// What the general path does with such a contact (normal_history.h, tangential_history.h), along
 /// normal and tangent; false, with nothing done, if it is none.
 bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int lane,
                                         const PlanarContact& contact) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of contacts between bodies, the blocks of a register at a time. Contacts to which nothing
-// happens in the step (they last, stick or slide on, push as before) take the short way here, by
-// the same formulas as all others, which take the general way (forces.cpp).
+// happens in the step (they last, stick or slide on, push as before) take the fast path here, by
+// the same formulas as all others, which take the general path (forces.cpp).
 //
 // Included once by a source for one set of instructions, in an unnamed namespace, after the header
 // of its lanes, which sets `Lanes`, `LaneMask` and how many blocks they hold. Nothing else may be
@@ -17,7 +17,7 @@ struct LaneContacts {
 
 constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
 
-/// The same of each block.
+/// A pointer to a constant structure for each block of a register.
 typedef const double* const BlockConstants[lane_blocks];
 
 /// Values of the blocks from `first` on, which is a multiple of lane_blocks.
@@ -38,10 +38,10 @@ struct LaneMotion {
   Lanes overlap, separation_velocity, tangential_velocity;
 };
 
-/// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the short way.
+/// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the fast path.
 struct LaneForces {
   Lanes normal, tangential;
-  int general;  // lanes that need the general way after all
+  int general;  // lanes that need the general path after all
 };
 
 /// Sets the constants of the contacts of the blocks from `first` on; the result is mu k_n.
@@ -138,7 +138,7 @@ inline int undisturbed(const PlanarBlockHead* heads, const PlanarForces& forces)
 }
 
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
-/// general way.
+/// general path.
 inline __attribute__((always_inline)) int evaluate_blocks(int first, const PlanarForces& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);

@@ -2,7 +2,7 @@
 // Contacts with walls and the motion of bodies; included after kernel.h, for lanes of four.
 
 /// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
-/// the general way.
+/// the general path.
 inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
