@@ -89,6 +89,10 @@ TEST(PlanarBodies, MissedMotionIsMadeOnce) {
     EXPECT_NEAR(frame.sine, std::sin(0.31), 1e-15);
     for (int d = 0; d < 3; ++d)
       EXPECT_NEAR(frame.velocity[d], body.velocity[d] + velocity[d], 1e-15);
+    for (int d = 0; d < 3; ++d) {
+      EXPECT_EQ(bodies.state(0, 0).missed_displacement[d], 0.0);
+      EXPECT_EQ(bodies.state(0, 0).missed_velocity[d], 0.0);
+    }
   }
 }
 

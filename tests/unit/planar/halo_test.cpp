@@ -180,6 +180,7 @@ TEST(PlanarHalo, SendsTheBodiesThatTheOtherRankMayTouch) {
       EXPECT_TRUE(other.sent.empty());
       continue;
     }
+    ASSERT_FALSE(other.sent.empty());
     PlanarBody sent;
     EXPECT_EQ(unpack_body(other.sent.data(), sent), other.sent.data() + other.sent.size());
     EXPECT_EQ(sent.tag, 1);
