@@ -26,12 +26,12 @@ PlanarBlockHead head_of(int i, int j, int lanes = 2) {
 
 /// A block of the spheres (0, 1) and (2, 3) of both bodies.
 int add_block(PlanarBlockPool& pool, const PlanarParts& parts, int i, int j, int lanes = 2) {
-  PlanarBlockBirth birth = PlanarBlockBirth();
+  PlanarBlockColdData cold = PlanarBlockColdData();
   for (int lane = 0; lane < planar_lanes; ++lane) {
-    birth.sphere_i[lane] = static_cast<std::uint16_t>(2 * lane);
-    birth.sphere_j[lane] = static_cast<std::uint16_t>(2 * lane + 1);
+    cold.sphere_i[lane] = static_cast<std::uint16_t>(2 * lane);
+    cold.sphere_j[lane] = static_cast<std::uint16_t>(2 * lane + 1);
   }
-  return pool.add(parts.of_pair(i, j), head_of(i, j, lanes), 0, birth);
+  return pool.add(parts.of_pair(i, j), head_of(i, j, lanes), 0, cold);
 }
 
 PlanarLaneState state_of(double seed) {
@@ -55,7 +55,7 @@ PlanarLaneState saved(const PlanarBlockPool& pool, int place, int lane) {
 }
 
 void expect_same_history(const PlanarLaneState& a, const PlanarLaneState& b) {
-  EXPECT_EQ(a.mature, b.mature);
+  EXPECT_EQ(a.full_history, b.full_history);
   EXPECT_EQ(a.history.sliding, b.history.sliding);
   EXPECT_EQ(a.history.just_touched, b.history.just_touched);
   EXPECT_EQ(a.history.known, b.history.known);
@@ -175,7 +175,7 @@ TEST(PlanarBlocks, HolesAreHarmless) {
     const PlanarBlockHead& head = pool.head(place);
     if (head.used != 0) continue;
     ++holes;
-    EXPECT_EQ(head.alive | head.mature | head.sliding, 0);
+    EXPECT_EQ(head.alive | head.full_history | head.sliding, 0);
     EXPECT_TRUE(std::isinf(head.gap));
     EXPECT_EQ(head.i, 0);
     EXPECT_EQ(head.j, 0);

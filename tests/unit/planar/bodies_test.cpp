@@ -82,7 +82,7 @@ TEST(PlanarBodies, MissedMotionIsMadeOnce) {
   PlanarBodies bodies = bodies_of(settings, {body});
   for (int times = 0; times < 2; ++times) {
     bodies.prepare(0, 0);
-    const PlanarFrame& frame = bodies.frame(0);
+    const PlanarKinematics& frame = bodies.kinematics(0);
     EXPECT_NEAR(frame.x, 0.1 + 1e-6, 1e-16);
     EXPECT_NEAR(frame.y, 0.2 - 2e-6, 1e-16);
     EXPECT_NEAR(frame.cosine, std::cos(0.31), 1e-15);
@@ -151,16 +151,16 @@ TEST(PlanarBodies, GhostsComeAndGo) {
   bodies.set_ghost(3, ghost_of(30, 4));
   EXPECT_EQ(bodies.info(2).count, 0);
   EXPECT_TRUE(bodies.comes_first(1, 3));
-  const PlanarBody told = bodies.kinematics(3), expected = ghost_of(30, 4);
+  const PlanarBody told = bodies.present(3), expected = ghost_of(30, 4);
   ASSERT_EQ(told.spheres.size(), 7u);
   for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(told.spheres[k].x, expected.spheres[k].x);
   EXPECT_EQ(told.position[1], expected.position[1]);
-  PlanarFrame moved = bodies.frame(3);
+  PlanarKinematics moved = bodies.kinematics(3);
   moved.x = 0.3;
   moved.radius = 0.0;
   bodies.move_ghost(3, moved);
-  EXPECT_EQ(bodies.frame(3).x, 0.3);
-  EXPECT_EQ(bodies.frame(3).radius, 0.5 * diameter) << "a message does not tell it";
+  EXPECT_EQ(bodies.kinematics(3).x, 0.3);
+  EXPECT_EQ(bodies.kinematics(3).radius, 0.5 * diameter) << "a message does not tell it";
 }
 
 }  // namespace rodpack

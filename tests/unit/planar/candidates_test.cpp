@@ -15,7 +15,7 @@ namespace {
 
 struct Chain {
   PlanarBody body;
-  PlanarListed at;
+  PlanarReference at;
 
   Chain(const PlanarBody& of, double skin) : body(of) {
     double reach = 0.0;

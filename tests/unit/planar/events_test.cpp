@@ -14,7 +14,7 @@ namespace {
 
 const double radius = 1e-3, k = 1000, c = 0.4, dt = 1e-5;
 
-PlanarFrame at_rest(double x, double y) { return {x, y, 1, 0, {0, 0, 0}, radius}; }
+PlanarKinematics at_rest(double x, double y) { return {x, y, 1, 0, {0, 0, 0}, radius}; }
 
 PlanarContact contact_of(int i, int j) {
   PlanarContact contact = {};
@@ -47,7 +47,7 @@ const PlanarEvents::Changes& only_change(const PlanarEvents& events, int part) {
 // torque arm x J about its centre of mass, whose rate has the parts of force and arm.
 TEST(PlanarEvents, TouchChangesForceAndTorqueOfBothBodies) {
   const double w = 0.2, s = 0.5 * dt, arm = 4e-3;
-  PlanarFrame i = at_rest(0, 2 * radius - w * s), j = at_rest(0, 0);
+  PlanarKinematics i = at_rest(0, 2 * radius - w * s), j = at_rest(0, 0);
   i.velocity[1] = -w;
   PlanarContact contact = contact_of(0, 2);
   contact.offset_i[0] = contact.offset_j[0] = arm;

@@ -115,11 +115,11 @@ TEST(PlanarHaloMessages, BodiesArriveAsTheyWereSent) {
 }
 
 TEST(PlanarHaloMessages, AFrameLeavesTheRadiusAsItIs) {
-  const PlanarFrame frame = {1.0, 2.0, 0.6, 0.8, {3.0, 4.0, 5.0}, 6.0};
+  const PlanarKinematics frame = {1.0, 2.0, 0.6, 0.8, {3.0, 4.0, 5.0}, 6.0};
   double values[16];
-  PlanarFrame told = PlanarFrame();
+  PlanarKinematics told = PlanarKinematics();
   told.radius = 9.0;
-  EXPECT_EQ(unpack_frame(values, told), pack_frame(frame, values));
+  EXPECT_EQ(unpack_kinematics(values, told), pack_kinematics(frame, values));
   EXPECT_EQ(told.y, 2.0);
   EXPECT_EQ(told.sine, 0.8);
   EXPECT_EQ(told.velocity[2], 5.0);
@@ -153,14 +153,14 @@ TEST(PlanarGhosts, MoveAndJumpAsTheirBodies) {
   ASSERT_TRUE(rank.events.jumped(2));
   expect_same(rank.events.motion(2), body.change);
   rank.neighbours.list_all();
-  PlanarFrame frame = rank.bodies.frame(2);
+  PlanarKinematics frame = rank.bodies.kinematics(2);
   std::vector<int> to_list;
   rank.ghosts.move(2, frame, to_list);
   EXPECT_TRUE(to_list.empty());
   frame.x += 2e-3;  // more than any skin
   rank.ghosts.move(2, frame, to_list);
   EXPECT_EQ(to_list, std::vector<int>{2});
-  EXPECT_EQ(rank.bodies.frame(2).x, frame.x);
+  EXPECT_EQ(rank.bodies.kinematics(2).x, frame.x);
 }
 
 // The other rank has bodies from x = 0.06 on, with the same reach. Ghosts are those that are closer
@@ -202,18 +202,18 @@ TEST(PlanarHalo, BringsGhostsToEachStep) {
   EXPECT_EQ(rank.bodies.size(), 4);
   // Both have moved, and the second one had an event.
   other.step.resize(most_step_values(2));
-  PlanarFrame frame = rank.bodies.frame(2);
+  PlanarKinematics frame = rank.bodies.kinematics(2);
   frame.x = 0.0601;
-  double* next = pack_frame(frame, other.step.data());
+  double* next = pack_kinematics(frame, other.step.data());
   frame.x = 0.0701;
-  next = pack_frame(frame, next);
+  next = pack_kinematics(frame, next);
   *next++ = 1.0;
   *next++ = 1.0;
   pack_change(some_change(), next);
   EXPECT_FALSE(halo.update(to_list));
   EXPECT_EQ(other.links_of_last_swap, 1);
-  EXPECT_EQ(rank.bodies.frame(2).x, 0.0601);
-  EXPECT_EQ(rank.bodies.frame(3).x, 0.0701);
+  EXPECT_EQ(rank.bodies.kinematics(2).x, 0.0601);
+  EXPECT_EQ(rank.bodies.kinematics(3).x, 0.0701);
   EXPECT_FALSE(rank.events.jumped(2));
   ASSERT_TRUE(rank.events.jumped(3));
   expect_same(rank.events.motion(3), some_change());

@@ -36,7 +36,7 @@ struct Scene {
 
   double gap(int i, int k, int j, int l) const {
     const auto centre = [&](int body, int sphere, double& x, double& y) {
-      const PlanarFrame& frame = bodies.frame(body);
+      const PlanarKinematics& frame = bodies.kinematics(body);
       const PlanarSphere& at = bodies.spheres(body)[sphere];
       x = frame.x + frame.cosine * at.x - frame.sine * at.y;
       y = frame.y + frame.sine * at.x + frame.cosine * at.y;
@@ -104,8 +104,8 @@ TEST(PlanarNeighbours, ABlockKnowsItsSmallestGap) {
     if (head.used == 0) continue;
     double least = 1.0;
     for (int lane = 0; lane < planar_lanes; ++lane)
-      least = std::min(least, scene.gap(head.i, pairs.birth(place).sphere_i[lane], head.j,
-                                        pairs.birth(place).sphere_j[lane]));
+      least = std::min(least, scene.gap(head.i, pairs.cold(place).sphere_i[lane], head.j,
+                                        pairs.cold(place).sphere_j[lane]));
     EXPECT_LE(head.gap, least + 1e-16);
     EXPECT_NEAR(head.gap, least, 3e-7 * std::fabs(least));
   }
@@ -249,7 +249,7 @@ TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   EXPECT_FALSE(scene.neighbours.follow_ghost(1)) << "there are no lists yet";
   scene.neighbours.list_all();
   EXPECT_GT(scene.blocks.pairs.filled(), 0);
-  PlanarFrame frame = scene.bodies.frame(1);
+  PlanarKinematics frame = scene.bodies.kinematics(1);
   frame.x = 0.016 - 0.97e-3 / std::sqrt(2.0);
   scene.bodies.move_ghost(1, frame);
   EXPECT_FALSE(scene.neighbours.follow_ghost(1));

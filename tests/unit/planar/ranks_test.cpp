@@ -241,7 +241,7 @@ TEST(PlanarRanks, MotionIsThatOfOneScene) {
     }
 }
 
-// In a sweep some bodies of a rank are ahead of others, but not of those that it knows of others.
+// In a pass some bodies of a rank are ahead of others, but not of those that it knows of others.
 TEST(PlanarRanks, StepsAtOnceAreThoseOfOneScene) {
   PlanarSettings settings = box(5);
   settings.walls.pop_back();

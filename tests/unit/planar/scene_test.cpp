@@ -121,7 +121,7 @@ TEST(PlanarScene, ListsDoNotChangeTheMotion) {
   }
 }
 
-// A sweep goes on with a part of the bodies while others wait; steps that are asked for one by one
+// A pass goes on with a part of the bodies while others wait; steps that are asked for one by one
 // are made one by one.
 TEST(PlanarScene, StepsAtOnceAreStepsOneByOne) {
   PlanarSettings settings = box(5);
@@ -150,9 +150,9 @@ TEST(PlanarScene, StepsAtOnceAreStepsOneByOne) {
     }
 }
 
-// In a sweep, parts that nothing holds back are steps ahead. What flies at one of their bodies must
+// In a pass, parts that nothing holds back are steps ahead. What flies at one of their bodies must
 // be listed with it before, so that both meet in the same step, however narrow the skins.
-TEST(PlanarScene, WhatIsFoundInASweepIsNotAhead) {
+TEST(PlanarScene, WhatIsFoundInAPassIsNotAhead) {
   std::vector<PlanarBody> bodies;
   for (int k = 0; k < 300; ++k) bodies.push_back(rod(1, 0.02 * k, 0, 0));
   PlanarSettings settings = settings_of();
@@ -160,7 +160,7 @@ TEST(PlanarScene, WhatIsFoundInASweepIsNotAhead) {
   for (const double skin : {1.5 * diameter / 150, 1.5 * diameter / 15, 0.3 * diameter}) {
     settings.min_skin = skin / 10;
     settings.max_skin = skin;
-    for (int phase = 0; phase < 20; ++phase) {  // of the collision in the sweep
+    for (int phase = 0; phase < 20; ++phase) {  // of the collision in the pass
       const double x = bodies[10].position[0] + diameter + 2e-3 + 0.4 * phase * way;
       bodies[299] = moving(rod(1, x, 0, 0), -speed, 0);
       PlanarScene at_once(settings, bodies), one_by_one(settings, bodies);

@@ -5,23 +5,23 @@
 #include <bitset>
 #include <limits>
 
-#include "forces.h"
+#include "../planar_simd/arguments.h"
 
 namespace rodpack {
 
 PlanarBlockPool::PlanarBlockPool(int bodies, int slots, int hole_j)
-    : slots(slots), of_body_(bodies) {
+    : slots_(slots), of_body_(bodies) {
   hole_.j = hole_j;
   hole_.gap = std::numeric_limits<float>::infinity();
 }
 
 int PlanarBlockPool::add(int part, const PlanarBlockHead& head, int law,
-                         const PlanarBlockBirth& birth) {
+                         const PlanarBlockColdData& cold) {
   const int place = take_hole(part);
   ++filled_;
-  heads[place] = head;
-  laws[place] = law;
-  births[place] = birth;
+  heads_[place] = head;
+  laws_[place] = law;
+  cold_[place] = cold;
   of_body_[head.i].push_back(place);
   if (head.j >= 0) of_body_[head.j].push_back(place);
   return place;
@@ -29,7 +29,7 @@ int PlanarBlockPool::add(int part, const PlanarBlockHead& head, int law,
 
 void PlanarBlockPool::remove_all_of(int body) {
   for (const int place : of_body_[body]) {
-    const PlanarBlockHead& head = heads[place];
+    const PlanarBlockHead& head = heads_[place];
     const int other = head.i == body ? head.j : head.i;
     if (other >= 0) forget(other, place);
     make_hole(place);
@@ -40,18 +40,18 @@ void PlanarBlockPool::remove_all_of(int body) {
 
 std::size_t PlanarBlockPool::contacts() const {
   std::size_t count = 0;
-  for (const PlanarBlockHead& head : heads) count += std::bitset<8>(head.alive).count();
+  for (const PlanarBlockHead& head : heads_) count += std::bitset<8>(head.alive).count();
   return count;
 }
 
 std::pair<int, int> PlanarBlockPool::find(int i, int sphere_i, int j, int sphere_j) const {
   for (const int place : of_body_[i]) {
-    const PlanarBlockHead& head = heads[place];
+    const PlanarBlockHead& head = heads_[place];
     if (head.i != i || head.j != j) continue;
-    const PlanarBlockBirth& birth = births[place];
+    const PlanarBlockColdData& cold = cold_[place];
     for (int lane = 0; lane < planar_lanes; ++lane)
-      if ((head.used & 1 << lane) && birth.sphere_i[lane] == sphere_i &&
-          birth.sphere_j[lane] == sphere_j)
+      if ((head.used & 1 << lane) && cold.sphere_i[lane] == sphere_i &&
+          cold.sphere_j[lane] == sphere_j)
         return {place, lane};
   }
   return {-1, 0};
@@ -75,15 +75,15 @@ int PlanarBlockPool::take_hole(int part) {
 /// Makes room for `blocks` blocks in whole groups; places from `filled` on become holes.
 void PlanarBlockPool::resize_blocks(int filled, int blocks) {
   const int places = whole_groups(blocks);
-  heads.resize(places);
+  heads_.resize(places);
   all_values_.resize(static_cast<std::size_t>(places) * rows() * planar_lanes);
-  laws.resize(places);
-  births.resize(places);
+  laws_.resize(places);
+  cold_.resize(places);
   for (int place = size() - 1; place >= filled; --place) make_hole(place);
 }
 
 void PlanarBlockPool::make_hole(int place) {
-  heads[place] = hole_;
+  heads_[place] = hole_;
   double* const of_place = values(place);
   std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
   for (int row : {planar_yi, planar_xj, planar_yj}) std::fill_n(of_place + row, planar_lanes, 0.0);
@@ -104,55 +104,55 @@ void PlanarBlockPool::forget(int body, int place) {
 }
 
 void PlanarBlockPool::set_arguments(int part, PlanarForces& forces) {
-  forces.heads = heads.data();
+  forces.heads = heads_.data();
   forces.values = all_values_.data();
-  forces.block_laws = laws.data();
+  forces.block_laws = laws_.data();
   forces.touching = touching(part);
   forces.others = others(part);
   forces.rows = rows();
   forces.newest = velocity(0, true);
-  for (int k = 0; k < std::min(slots, max_multistep_order); ++k) forces.velocity[k] = velocity(k);
+  for (int k = 0; k < std::min(slots_, max_multistep_order); ++k) forces.velocity[k] = velocity(k);
 }
 
 void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
-  const PlanarBlockHead& head = heads[place];
+  const PlanarBlockHead& head = heads_[place];
   const double* const of_lane = values(place) + lane;
-  const PlanarBlockBirth& birth = births[place];
+  const PlanarBlockColdData& cold = cold_[place];
   const int bit = 1 << lane;
   state.i = head.i;
   state.j = head.j;
-  state.sphere_i = birth.sphere_i[lane];
-  state.sphere_j = birth.sphere_j[lane];
-  state.mature = (head.mature & bit) != 0;
+  state.sphere_i = cold.sphere_i[lane];
+  state.sphere_j = cold.sphere_j[lane];
+  state.full_history = (head.full_history & bit) != 0;
   PlanarHistory& history = state.history;
   history.sliding = (head.sliding & bit) != 0;
-  history.just_touched = birth.just_touched[lane];
-  history.known = birth.known[lane];
+  history.just_touched = cold.just_touched[lane];
+  history.known = cold.known[lane];
   history.spring = of_lane[planar_spring];
   for (int k = 0; k < max_multistep_order; ++k)
-    history.velocity[k] = k < slots ? of_lane[velocity(k)] : 0.0;
+    history.velocity[k] = k < slots_ ? of_lane[velocity(k)] : 0.0;
   history.viscoelastic = of_lane[planar_viscoelastic];
-  history.touch_rate = birth.touch_rate[lane];
-  history.since = birth.since[lane];
+  history.touch_rate = cold.touch_rate[lane];
+  history.since = cold.since[lane];
 }
 
 void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state, bool turned) {
-  PlanarBlockHead& head = heads[place];
+  PlanarBlockHead& head = heads_[place];
   double* const of_lane = values(place) + lane;
-  PlanarBlockBirth& birth = births[place];
+  PlanarBlockColdData& cold = cold_[place];
   const auto set = [&](std::uint8_t& bits, bool on) {
     bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
   };
   const PlanarHistory& history = state.history;
   set(head.alive, history.known != 0);
-  set(head.mature, state.mature);
+  set(head.full_history, state.full_history);
   set(head.sliding, history.sliding);
-  birth.just_touched[lane] = history.just_touched;
-  birth.known[lane] = static_cast<std::int8_t>(history.known);
-  birth.touch_rate[lane] = history.touch_rate;
-  birth.since[lane] = history.since;
+  cold.just_touched[lane] = history.just_touched;
+  cold.known[lane] = static_cast<std::int8_t>(history.known);
+  cold.touch_rate[lane] = history.touch_rate;
+  cold.since[lane] = history.since;
   of_lane[planar_spring] = history.spring;
-  for (int k = 0; k < slots; ++k) of_lane[velocity(k, turned)] = history.velocity[k];
+  for (int k = 0; k < slots_; ++k) of_lane[velocity(k, turned)] = history.velocity[k];
   of_lane[planar_viscoelastic] = history.viscoelastic;
 }
 

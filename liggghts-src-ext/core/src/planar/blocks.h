@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "aligned_vector.h"
-#include "block_layout.h"
+#include "../planar_simd/aligned_vector.h"
+#include "../planar_simd/block_layout.h"
 #include "parts.h"
 #include "rodpack/contact/planar_history.h"
 
@@ -19,7 +19,7 @@ struct PlanarForces;
 
 /// What the SIMD loops never read of a block: which spheres it pairs, and what a contact remembers
 /// of its first steps.
-struct PlanarBlockBirth {
+struct PlanarBlockColdData {
   double touch_rate[planar_lanes], since[planar_lanes];
   std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
   std::int8_t known[planar_lanes];
@@ -31,7 +31,7 @@ struct PlanarBlockBirth {
 struct PlanarLaneState {
   int i, j;
   std::uint16_t sphere_i, sphere_j;
-  bool mature;
+  bool full_history;
   PlanarHistory history;
 };
 
@@ -51,7 +51,7 @@ class PlanarBlockPool {
 
   void resize(int bodies) { of_body_.resize(bodies); }
   /// The number of places, holes too.
-  int size() const { return static_cast<int>(heads.size()); }
+  int size() const { return static_cast<int>(heads_.size()); }
   /// The number of blocks.
   int filled() const { return filled_; }
   /// The number of lanes whose spheres are in contact.
@@ -61,7 +61,7 @@ class PlanarBlockPool {
 
   /// Adds a block to part `part` of the bodies or a later one; returns its place. Its numbers are
   /// 0, or those of a block that was removed.
-  int add(int part, const PlanarBlockHead& head, int law, const PlanarBlockBirth& birth);
+  int add(int part, const PlanarBlockHead& head, int law, const PlanarBlockColdData& cold);
   void remove_all_of(int body);
   /// The place and lane of the candidate pair of these spheres; place -1: there is none.
   std::pair<int, int> find(int i, int sphere_i, int j, int sphere_j) const;
@@ -91,8 +91,12 @@ class PlanarBlockPool {
   void look_ahead(int steps) { ahead_ = steps; }
   /// Sets what the SIMD loop needs to evaluate the blocks of a part.
   void set_arguments(int part, PlanarForces& forces);
-  const PlanarBlockHead& head(int place) const { return heads[place]; }
-  const PlanarBlockBirth& birth(int place) const { return births[place]; }
+  /// Tangential velocities that a contact remembers.
+  int slots() const { return slots_; }
+  const PlanarBlockHead& head(int place) const { return heads_[place]; }
+  /// Index of the constants of the two types of a block.
+  int law(int place) const { return laws_[place]; }
+  const PlanarBlockColdData& cold(int place) const { return cold_[place]; }
   /// The numbers of a block, from that of the first lane of the first row.
   double* values(int place) { return all_values_.data() + values_place(place); }
   const double* values(int place) const { return all_values_.data() + values_place(place); }
@@ -104,18 +108,13 @@ class PlanarBlockPool {
   void restore(int place, int lane, const PlanarLaneState& state, bool turned = false);
   void clear(int place, int lane) { restore(place, lane, PlanarLaneState()); }
 
-  const int slots;
-  AlignedVector<PlanarBlockHead> heads;
-  std::vector<int> laws;  // indices of the constants of their types
-  std::vector<PlanarBlockBirth> births;
-
  private:
   std::size_t values_place(int place) const {
     const std::size_t group = place / planar_group;
     return group * rows() * planar_row + place % planar_group * planar_lanes;
   }
-  int rows() const { return planar_velocities / planar_row + slots; }
-  int ring_place(int k) const { return ((newest_ + k) % slots + slots) % slots; }
+  int rows() const { return planar_velocities / planar_row + slots_; }
+  int ring_place(int k) const { return ((newest_ + k) % slots_ + slots_) % slots_; }
 
   int take_hole(int part);
   void resize_blocks(int filled, int blocks);
@@ -124,7 +123,11 @@ class PlanarBlockPool {
   void reorder(const std::vector<int>& order);
   void find_ends(const PlanarParts& parts, int first, int end, std::vector<int>& ends) const;
 
+  const int slots_;
+  AlignedVector<PlanarBlockHead> heads_;
   AlignedVector<double> all_values_;
+  std::vector<int> laws_;
+  std::vector<PlanarBlockColdData> cold_;
   PlanarBlockHead hole_ = PlanarBlockHead();
   std::vector<std::vector<int>> of_body_;
   struct EarlyHole {
@@ -143,7 +146,7 @@ class PlanarBlockPool {
     AlignedVector<PlanarBlockHead> heads;
     AlignedVector<double> values;
     std::vector<int> laws;
-    std::vector<PlanarBlockBirth> births;
+    std::vector<PlanarBlockColdData> cold;
   };
   Workspace work_;
 };

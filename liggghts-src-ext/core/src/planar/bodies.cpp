@@ -16,7 +16,7 @@ double reach_of(const PlanarSphere* spheres, int count, double radius) {
   return reach;
 }
 
-PlanarFrame frame_of(const PlanarBody& body) {
+PlanarKinematics kinematics_of(const PlanarBody& body) {
   return {body.position[0],
           body.position[1],
           body.cosine,
@@ -29,15 +29,15 @@ PlanarFrame frame_of(const PlanarBody& body) {
 
 PlanarBodies::PlanarBodies(const PlanarSettings& given, const PlanarParts& division,
                            const std::vector<PlanarBody>& bodies)
-    : settings(given), parts(division), missed(division.count()), newborn_(division.count()) {
+    : settings_(given), parts_(division), missed_(division.count()), newborn_(division.count()) {
   const std::size_t count = bodies.size();
   resize(static_cast<int>(count));
-  evaluations.resize(count);
-  for (auto* vectors : {&inertia, &missed_displacement, &missed_velocity})
+  evaluations_.resize(count);
+  for (auto* vectors : {&inertia_, &missed_displacement_, &missed_velocity_})
     vectors->assign(count, PlanarVector());
-  for (int k = 0; k < settings.order - 1; ++k) {
-    past_velocity[k].assign(count, PlanarVector());
-    past_acceleration[k].assign(count, PlanarVector());
+  for (int k = 0; k < settings_.order - 1; ++k) {
+    past_velocity_[k].assign(count, PlanarVector());
+    past_acceleration_[k].assign(count, PlanarVector());
   }
   for (std::size_t b = 0; b < count; ++b) add(static_cast<int>(b), bodies[b]);
 }
@@ -45,22 +45,22 @@ PlanarBodies::PlanarBodies(const PlanarSettings& given, const PlanarParts& divis
 void PlanarBodies::add(int body, const PlanarBody& from) {
   set_info(body, from);
   if (from.tag < 0) tags_[body] = body;
-  frames[body] = frame_of(from);
-  evaluations[body] = static_cast<std::int8_t>(std::min(from.evaluations, settings.order + 1));
+  kinematics_[body] = kinematics_of(from);
+  evaluations_[body] = static_cast<std::int8_t>(std::min(from.evaluations, settings_.order + 1));
   for (int d = 0; d < 3; ++d) {
     loads_[body].d[d] = from.load[d];
-    inertia[body].d[d] = 1.0 / (d < 2 ? from.mass : from.moment);
-    missed_displacement[body].d[d] = from.missed_displacement[d];
-    missed_velocity[body].d[d] = from.missed_velocity[d];
+    inertia_[body].d[d] = 1.0 / (d < 2 ? from.mass : from.moment);
+    missed_displacement_[body].d[d] = from.missed_displacement[d];
+    missed_velocity_[body].d[d] = from.missed_velocity[d];
   }
-  inertia[body].d[3] = from.mass;
-  const int part = parts.of(body);
-  missed[part].push_back(body);
+  inertia_[body].d[3] = from.mass;
+  const int part = parts_.of(body);
+  missed_[part].push_back(body);
   if (from.evaluations == 0) newborn_[part].push_back(body);
-  for (int k = 0; k < settings.order - 1; ++k) {
+  for (int k = 0; k < settings_.order - 1; ++k) {
     const PlanarRates& rates = from.past[k];
-    past_velocity[k][body] = {{rates.velocity[0], rates.velocity[1], rates.angular_velocity, 0.0}};
-    past_acceleration[k][body] = {
+    past_velocity_[k][body] = {{rates.velocity[0], rates.velocity[1], rates.angular_velocity, 0.0}};
+    past_acceleration_[k][body] = {
         {rates.acceleration[0], rates.acceleration[1], rates.angular_acceleration, 0.0}};
   }
 }
@@ -86,14 +86,14 @@ double PlanarBodies::longest_reach() const {
 }
 
 double PlanarBodies::step_displacement(int body) const {
-  const double* v = frames[body].velocity;
+  const double* v = kinematics_[body].velocity;
   const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1]) + info_[body].reach * std::fabs(v[2]);
-  return speed * settings.dt;
+  return speed * settings_.dt;
 }
 
-PlanarBody PlanarBodies::kinematics(int index) const {
+PlanarBody PlanarBodies::present(int index) const {
   const PlanarBodyInfo& of = info_[index];
-  const PlanarFrame& now = frames[index];
+  const PlanarKinematics& now = kinematics_[index];
   PlanarBody body;
   body.tag = tags_[index];
   body.type = of.type;
@@ -110,21 +110,21 @@ PlanarBody PlanarBodies::kinematics(int index) const {
 }
 
 PlanarBody PlanarBodies::state(int index, long step) const {
-  PlanarBody body = kinematics(index);
-  body.evaluations = evaluations[index];
+  PlanarBody body = present(index);
+  body.evaluations = evaluations_[index];
   std::copy_n(loads_[index].d, 3, body.load);
-  std::copy_n(missed_displacement[index].d, 3, body.missed_displacement);
-  std::copy_n(missed_velocity[index].d, 3, body.missed_velocity);
-  for (int k = 0; k < settings.order - 1; ++k) {
-    const double* v = past_velocity[past(k, step)][index].d;
-    const double* a = past_acceleration[past(k, step)][index].d;
+  std::copy_n(missed_displacement_[index].d, 3, body.missed_displacement);
+  std::copy_n(missed_velocity_[index].d, 3, body.missed_velocity);
+  for (int k = 0; k < settings_.order - 1; ++k) {
+    const double* v = past_velocity_[past(k, step)][index].d;
+    const double* a = past_acceleration_[past(k, step)][index].d;
     body.past[k] = {{v[0], v[1]}, v[2], {a[0], a[1]}, a[2]};
   }
   return body;
 }
 
 void PlanarBodies::resize(int bodies) {
-  frames.resize(bodies);
+  kinematics_.resize(bodies);
   loads_.resize(bodies, PlanarVector());
   info_.resize(bodies, PlanarBodyInfo());
   tags_.resize(bodies, -1);
@@ -138,14 +138,14 @@ void PlanarBodies::forget_ghost_spheres() {
 
 void PlanarBodies::set_ghost(int ghost, const PlanarBody& body) {
   set_info(ghost, body);
-  move_ghost(ghost, frame_of(body));
-  frames[ghost].radius = body.radius;
+  move_ghost(ghost, kinematics_of(body));
+  kinematics_[ghost].radius = body.radius;
 }
 
-void PlanarBodies::move_ghost(int ghost, const PlanarFrame& moved) {
-  const double radius = frames[ghost].radius;
-  frames[ghost] = moved;
-  frames[ghost].radius = radius;
+void PlanarBodies::move_ghost(int ghost, const PlanarKinematics& moved) {
+  const double radius = kinematics_[ghost].radius;
+  kinematics_[ghost] = moved;
+  kinematics_[ghost].radius = radius;
   loads_[ghost] = PlanarVector();  // the forces on a ghost are summed by its own rank
 }
 

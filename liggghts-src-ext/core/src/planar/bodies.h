@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "aligned_vector.h"
+#include "../planar_simd/aligned_vector.h"
 #include "contact.h"
-#include "forces.h"
+#include "../planar_simd/arguments.h"
 #include "parts.h"
 #include "rodpack/planar/scene.h"
 
@@ -32,12 +32,12 @@ class PlanarBodies {
   PlanarBodies(const PlanarSettings& settings, const PlanarParts& parts,
                const std::vector<PlanarBody>& bodies);
 
-  int owned() const { return parts.owned; }
+  int owned() const { return parts_.owned; }
   int size() const { return static_cast<int>(info_.size()); }  // with ghosts
   int tag(int body) const { return tags_[body]; }
   const PlanarBodyInfo& info(int body) const { return info_[body]; }
   const PlanarSphere* spheres(int body) const { return spheres_.data() + info_[body].first; }
-  const PlanarFrame& frame(int body) const { return frames[body]; }
+  const PlanarKinematics& kinematics(int body) const { return kinematics_[body]; }
   /// The largest distance from a centre of mass to a point of its body, m.
   double longest_reach() const;
   /// Displacement in a step, at its present speed, of the point of the body that moves fastest, m.
@@ -45,7 +45,7 @@ class PlanarBodies {
   /// Whether body i is the first of the two in a block; the same on every rank.
   bool comes_first(int i, int j) const { return tags_[i] < tags_[j]; }
   /// Constants, position and velocity of a body, ghosts too.
-  PlanarBody kinematics(int body) const;
+  PlanarBody present(int body) const;
   /// All that is known of a body of this rank before step `step`, but for the last event.
   PlanarBody state(int body, long step) const;
 
@@ -54,14 +54,14 @@ class PlanarBodies {
   /// Makes the motion that events have found to be missing, and a past for bodies that have none.
   void prepare(int part, long step);
   /// Sets what the SIMD loop needs to advance the part from `step`.
-  void set_arguments(int part, long step, PlanarAdvance& motions);
+  void set_arguments(int part, long step, PlanarAdvance& arguments);
   /// Corrects the past of bodies whose contacts had events in the step before `step`, and keeps the
   /// motion that they have missed.
   void apply_events(int part, long step, PlanarEvents& events);
   /// Sets the loads to the weights of the bodies.
   void begin_loads();
 
-  const PlanarFrame* frame_array() const { return frames.data(); }
+  const PlanarKinematics* kinematics_array() const { return kinematics_.data(); }
   PlanarVector* load_array() { return loads_.data(); }
 
   // Ghosts, with the indices from owned() on.
@@ -74,7 +74,7 @@ class PlanarBodies {
   /// The ghost is out of use until it is set again.
   void clear_ghost(int ghost) { info_[ghost].count = 0; }
   /// Gives a ghost the position, orientation and velocity of `moved`.
-  void move_ghost(int ghost, const PlanarFrame& moved);
+  void move_ghost(int ghost, const PlanarKinematics& moved);
 
  private:
   void add(int body, const PlanarBody& from);
@@ -83,20 +83,20 @@ class PlanarBodies {
   void fill_past(int body, long step);
   /// Index into past_velocity and past_acceleration, ring buffers, of the rates k + 1 steps back.
   int past(int k, long step) const {
-    const int count = settings.order - 1;
+    const int count = settings_.order - 1;
     return static_cast<int>((k - step % count + count) % count);
   }
 
-  const PlanarSettings& settings;
-  const PlanarParts parts;
-  AlignedVector<PlanarFrame> frames;
+  const PlanarSettings& settings_;
+  const PlanarParts parts_;
+  AlignedVector<PlanarKinematics> kinematics_;
   AlignedVector<PlanarVector> loads_;
-  AlignedVector<PlanarVector> inertia;  // 1/mass, 1/mass, 1/moment, mass
-  AlignedVector<PlanarVector> past_velocity[max_multistep_order - 1];
-  AlignedVector<PlanarVector> past_acceleration[max_multistep_order - 1];
-  std::vector<std::int8_t> evaluations;
-  AlignedVector<PlanarVector> missed_displacement, missed_velocity;
-  std::vector<std::vector<int>> missed;    // bodies of each part with missed motion
+  AlignedVector<PlanarVector> inertia_;  // 1/mass, 1/mass, 1/moment, mass
+  AlignedVector<PlanarVector> past_velocity_[max_multistep_order - 1];
+  AlignedVector<PlanarVector> past_acceleration_[max_multistep_order - 1];
+  std::vector<std::int8_t> evaluations_;
+  AlignedVector<PlanarVector> missed_displacement_, missed_velocity_;
+  std::vector<std::vector<int>> missed_;   // bodies of each part with missed motion
   std::vector<std::vector<int>> newborn_;  // bodies of each part that have not moved yet
   std::vector<PlanarBodyInfo> info_;
   std::vector<int> tags_;

@@ -8,7 +8,7 @@ namespace rodpack {
 
 void find_candidates(const PlanarChain& of_i, const PlanarChain& of_j,
                      std::vector<PlanarCandidate>& candidates) {
-  const PlanarListed &a = of_i.at, &b = of_j.at;
+  const PlanarReference &a = of_i.at, &b = of_j.at;
   // The frame of j as seen from that of i, to bring spheres of i into the frame of j.
   const double c = b.cosine * a.cosine + b.sine * a.sine;
   const double s = b.cosine * a.sine - b.sine * a.cosine;
@@ -30,7 +30,7 @@ void find_candidates(const PlanarChain& of_i, const PlanarChain& of_j,
 
 void find_candidates(const PlanarChain& of_i, const PlanarWall& wall,
                      std::vector<PlanarCandidate>& candidates) {
-  const PlanarListed& at = of_i.at;
+  const PlanarReference& at = of_i.at;
   const double centre = (wall.axis == 0 ? at.x : at.y) - wall.position;
   if (wall.side_of(centre) * centre > at.reach + at.skin) return;
   const double along_x = wall.axis == 0 ? at.cosine : at.sine;

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "forces.h"
+#include "../planar_simd/arguments.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {
@@ -20,7 +20,7 @@ struct PlanarChain {
   const PlanarSphere* spheres;
   int count;
   double radius;  // of the spheres, m
-  const PlanarListed& at;
+  const PlanarReference& at;
 };
 
 /// Appends the sphere pairs of bodies i and j whose gap is less than both skins together.

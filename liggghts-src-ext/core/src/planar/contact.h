@@ -6,23 +6,11 @@
 #include <cstddef>
 
 #include "rodpack/contact/contact_motion.h"
+#include "../planar_simd/kinematics.h"
 #include "rodpack/planar/scene.h"
 #include "rodpack/geometry/vector3.h"
 
 namespace rodpack {
-
-/// Position, orientation and velocity of a body, as contacts see it; one cache line.
-struct alignas(64) PlanarFrame {
-  double x, y, cosine, sine;
-  double velocity[3];  // x, y, about z
-  double radius;       // of its spheres, m
-};
-// Registers take these numbers two or four at a time, by their places.
-static_assert(offsetof(PlanarFrame, x) == 0 && offsetof(PlanarFrame, y) == 8 &&
-                  offsetof(PlanarFrame, cosine) == 16 && offsetof(PlanarFrame, sine) == 24 &&
-                  offsetof(PlanarFrame, velocity) == 32 && offsetof(PlanarFrame, radius) == 56 &&
-                  sizeof(PlanarFrame) == 64,
-              "kernel.h and kernel_bodies.h read frames as eight doubles in this order");
 
 /// A contact of two spheres of planar bodies, or of one with a wall: what the formulas of
 /// normal_history.h and tangential_history.h ask of a `Contact`, with z = 0.
@@ -52,7 +40,7 @@ struct PlanarContact {
 
 namespace detail {
 
-inline void place_sphere(const PlanarFrame& body, const double (&offset)[2], double (&arm)[3],
+inline void place_sphere(const PlanarKinematics& body, const double (&offset)[2], double (&arm)[3],
                          double (&body_v)[3], double (&v)[3], double (&omega)[3]) {
   const Vector2<double> to_sphere = turned<double>(body.cosine, body.sine, {offset[0], offset[1]});
   const Vector2<double> velocity =
@@ -70,7 +58,7 @@ inline void place_sphere(const PlanarFrame& body, const double (&offset)[2], dou
 }  // namespace detail
 
 /// Completes a contact of two spheres; offsets, radii, bodies and coefficients must be set.
-inline void place_pair(PlanarContact& c, const PlanarFrame& i, const PlanarFrame& j) {
+inline void place_pair(PlanarContact& c, const PlanarKinematics& i, const PlanarKinematics& j) {
   c.is_wall = false;
   detail::place_sphere(i, c.offset_i, c.arm_i, c.body_v_i, c.v_i, c.omega_i);
   detail::place_sphere(j, c.offset_j, c.arm_j, c.body_v_j, c.v_j, c.omega_j);
@@ -84,7 +72,7 @@ inline void place_pair(PlanarContact& c, const PlanarFrame& i, const PlanarFrame
 }
 
 /// Completes a contact of a sphere with a wall. The distance is negative behind a solid one.
-inline void place_wall(PlanarContact& c, const PlanarFrame& i, const PlanarWall& wall) {
+inline void place_wall(PlanarContact& c, const PlanarKinematics& i, const PlanarWall& wall) {
   c.is_wall = true;
   c.body_j = -1;
   detail::place_sphere(i, c.offset_i, c.arm_i, c.body_v_i, c.v_i, c.omega_i);

@@ -4,12 +4,12 @@
 
 #include <vector>
 
-#include "aligned_vector.h"
+#include "../planar_simd/aligned_vector.h"
 #include "blocks.h"
 #include "bodies.h"
 #include "contact.h"
 #include "events.h"
-#include "forces.h"
+#include "../planar_simd/arguments.h"
 #include "neighbours.h"
 #include "rodpack/contact/tangential_history.h"
 
@@ -32,9 +32,9 @@ class PlanarForceEvaluator {
   PlanarContactState contact_state(const PlanarBlockPool& pool, int place, int lane) const;
   /// Evaluations after which a contact is past its start-up, and all that events may look at is
   /// known.
-  int full_count() const { return slots + 1; }
+  int full_count() const { return slots_ + 1; }
   /// Whether events of contacts are followed.
-  bool follows_events() const { return follows; }
+  bool follows_events() const { return follows_; }
   /// Contacts that have taken the general path so far.
   long general_contacts() const { return general_contacts_; }
 
@@ -45,24 +45,24 @@ class PlanarForceEvaluator {
   bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
-  TangentialStep tangential_step() const { return {settings.order, now, settings.dt}; }
+  TangentialStep tangential_step() const { return {settings_.order, step_, settings_.dt}; }
 
-  const PlanarSettings& settings;
-  const int slots;  // tangential velocities that a contact remembers
-  const bool follows;
-  PlanarBodies& bodies;
+  const PlanarSettings& settings_;
+  const int slots_;  // tangential velocities that a contact remembers
+  const bool follows_;
+  PlanarBodies& bodies_;
   const PlanarNeighbours& neighbours_;
   PlanarBlocks& blocks_;
-  PlanarEvents& events;
+  PlanarEvents& events_;
   const PlanarKernel& kernel_;
-  std::vector<PlanarLawConstants> laws;  // of each pair of types
+  std::vector<PlanarLawConstants> laws_;  // of each pair of types
   AlignedVector<PlanarWallLine> wall_lines_;
-  long now = 0;  // the step that is evaluated
+  long step_ = 0;  // the step that is evaluated
   long general_contacts_ = 0;
 
   // Memory that the SIMD loop works in.
   struct Workspace {
-    std::vector<PlanarGeneral> general;
+    std::vector<PlanarGeneralBlock> general;
     std::vector<int> awake;
   };
   Workspace work_;

@@ -60,7 +60,7 @@ int PlanarGhosts::new_ghost() {
   return ghost;
 }
 
-void PlanarGhosts::move(int ghost, const PlanarFrame& frame, std::vector<int>& to_list) {
+void PlanarGhosts::move(int ghost, const PlanarKinematics& frame, std::vector<int>& to_list) {
   bodies_.move_ghost(ghost, frame);
   if (neighbours_.follow_ghost(ghost)) to_list.push_back(ghost);
 }

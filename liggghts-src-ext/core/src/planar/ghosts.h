@@ -27,7 +27,7 @@ class PlanarGhosts {
   /// Index among the bodies of the ghost with this tag.
   int of_tag(int tag) const { return of_tag_.at(tag); }
   /// Brings a ghost to the next step; appends it to `to_list` if it has to be listed anew.
-  void move(int ghost, const PlanarFrame& frame, std::vector<int>& to_list);
+  void move(int ghost, const PlanarKinematics& frame, std::vector<int>& to_list);
   /// The ghost had an event in the last step.
   void set_jumped(int ghost, const PlanarJump& change);
 

@@ -35,7 +35,7 @@ struct Box {
   double low[2], high[2];
   double reach;  // of the longest body, m; negative: there are no bodies
 
-  bool is_near(const PlanarFrame& frame, double distance) const {
+  bool is_near(const PlanarKinematics& frame, double distance) const {
     return reach >= 0.0 && frame.x > low[0] - distance && frame.x < high[0] + distance &&
            frame.y > low[1] - distance && frame.y < high[1] + distance;
   }
@@ -44,7 +44,7 @@ struct Box {
 Box box_around(const PlanarBodies& bodies) {
   Box box = {{1e300, 1e300}, {-1e300, -1e300}, -1.0};
   for (int b = 0; b < bodies.owned(); ++b) {
-    const double position[2] = {bodies.frame(b).x, bodies.frame(b).y};
+    const double position[2] = {bodies.kinematics(b).x, bodies.kinematics(b).y};
     for (int d = 0; d < 2; ++d) {
       box.low[d] = std::min(box.low[d], position[d]);
       box.high[d] = std::max(box.high[d], position[d]);
@@ -87,7 +87,7 @@ bool PlanarHalo::update(std::vector<int>& to_list) {
 std::vector<PlanarHalo::Pose> PlanarHalo::own_poses() const {
   std::vector<Pose> poses;
   for (int b = 0; b < bodies_.owned(); ++b) {
-    const PlanarFrame& frame = bodies_.frame(b);
+    const PlanarKinematics& frame = bodies_.kinematics(b);
     poses.push_back({frame.x, frame.y, frame.cosine, frame.sine});
   }
   return poses;
@@ -98,7 +98,8 @@ double PlanarHalo::checked_distance() const {
   double most = 0.0;
   int farthest = -1;
   for (int b = 0; b < bodies_.owned(); ++b) {
-    const double x = bodies_.frame(b).x - chosen_at_[b].x, y = bodies_.frame(b).y - chosen_at_[b].y;
+    const double x = bodies_.kinematics(b).x - chosen_at_[b].x,
+                 y = bodies_.kinematics(b).y - chosen_at_[b].y;
     if (x * x + y * y <= most) continue;
     most = x * x + y * y;
     farthest = b;
@@ -132,7 +133,7 @@ bool PlanarHalo::ask() {
 
 /// How much farther any point of the body may go along x and y, m.
 double PlanarHalo::room(int body) const {
-  const PlanarFrame& frame = bodies_.frame(body);
+  const PlanarKinematics& frame = bodies_.kinematics(body);
   const Pose& begun = begun_[body];
   const double c = frame.cosine - begun.cosine, s = frame.sine - begun.sine;
   const double turn = bodies_.info(body).reach * std::sqrt(c * c + s * s);
@@ -169,9 +170,9 @@ std::vector<std::vector<double>> PlanarHalo::choose(std::vector<std::vector<int>
     const Box box = {{values[0], values[1]}, {values[2], values[3]}, values[4]};
     for (int b = 0; b < bodies_.owned(); ++b) {
       const double reach = bodies_.info(b).reach;
-      if (!box.is_near(bodies_.frame(b), reach + box.reach + 2.0 * reserve_)) continue;
+      if (!box.is_near(bodies_.kinematics(b), reach + box.reach + 2.0 * reserve_)) continue;
       chosen[rank].push_back(b);
-      PlanarBody body = bodies_.kinematics(b);
+      PlanarBody body = bodies_.present(b);
       body.jumped = events_.jumped(b);
       if (body.jumped) body.change = events_.motion(b);
       append_body(body, messages[rank]);
@@ -226,7 +227,7 @@ void PlanarHalo::pack(const Partner& partner, PlanarLink& link) const {
   link.out_count = 0;
   if (partner.sent.empty()) return;
   double* next = link.out.data();
-  for (int body : partner.sent) next = pack_frame(bodies_.frame(body), next);
+  for (int body : partner.sent) next = pack_kinematics(bodies_.kinematics(body), next);
   double& jumps = *next++;
   jumps = 0.0;
   for (std::size_t k = 0; k < partner.sent.size(); ++k) {
@@ -242,9 +243,9 @@ void PlanarHalo::pack(const Partner& partner, PlanarLink& link) const {
 void PlanarHalo::unpack(const Partner& partner, const PlanarLink& link, std::vector<int>& to_list) {
   if (partner.received.empty()) return;
   const double* next = link.in.data();
-  PlanarFrame frame = PlanarFrame();
+  PlanarKinematics frame = PlanarKinematics();
   for (int ghost : partner.received) {
-    next = unpack_frame(next, frame);
+    next = unpack_kinematics(next, frame);
     ghosts_.move(ghost, frame, to_list);
   }
   for (int jumps = static_cast<int>(*next++); jumps > 0; --jumps) {

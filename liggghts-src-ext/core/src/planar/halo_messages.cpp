@@ -7,20 +7,20 @@ namespace rodpack {
 
 namespace {
 
-const int frame_values = 7, change_values = 11;
+const int kinematic_values = 7, change_values = 11;
 
 }  // namespace
 
-double* pack_frame(const PlanarFrame& frame, double* to) {
-  const double values[frame_values] = {frame.x,          frame.y,           frame.cosine,
-                                       frame.sine,       frame.velocity[0], frame.velocity[1],
-                                       frame.velocity[2]};
-  return std::copy(values, values + frame_values, to);
+double* pack_kinematics(const PlanarKinematics& frame, double* to) {
+  const double values[kinematic_values] = {frame.x,          frame.y,           frame.cosine,
+                                           frame.sine,       frame.velocity[0], frame.velocity[1],
+                                           frame.velocity[2]};
+  return std::copy(values, values + kinematic_values, to);
 }
 
-const double* unpack_frame(const double* from, PlanarFrame& frame) {
+const double* unpack_kinematics(const double* from, PlanarKinematics& frame) {
   frame = {from[0], from[1], from[2], from[3], {from[4], from[5], from[6]}, frame.radius};
-  return from + frame_values;
+  return from + kinematic_values;
 }
 
 double* pack_change(const PlanarJump& change, double* to) {
@@ -43,7 +43,7 @@ const double* unpack_change(const double* from, PlanarJump& change) {
 
 std::size_t most_step_values(std::size_t bodies) {
   // A frame for each, how many had events, and for each of these its place and what the event did.
-  return bodies == 0 ? 0 : bodies * (frame_values + 1 + change_values) + 1;
+  return bodies == 0 ? 0 : bodies * (kinematic_values + 1 + change_values) + 1;
 }
 
 void append_body(const PlanarBody& body, std::vector<double>& to) {

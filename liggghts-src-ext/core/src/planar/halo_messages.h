@@ -14,9 +14,9 @@ namespace rodpack {
 // an unpack function reads from `from`; both return where they have ended.
 
 /// Position, orientation and velocity of a body: what its ghosts need in every step.
-double* pack_frame(const PlanarFrame& frame, double* to);
+double* pack_kinematics(const PlanarKinematics& frame, double* to);
 /// Leaves the radius as it is.
-const double* unpack_frame(const double* from, PlanarFrame& frame);
+const double* unpack_kinematics(const double* from, PlanarKinematics& frame);
 
 /// What an event did to a body.
 double* pack_change(const PlanarJump& change, double* to);

@@ -42,26 +42,26 @@ ForceChange change_of_dashpots(const PlanarContact& contact, const AlongAxis& no
 /// normal and tangent; false, with nothing done, if it is none.
 bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int lane,
                                         const PlanarContact& contact) {
-  const PlanarBlockHead& head = pool.heads[place];
+  const PlanarBlockHead& head = pool.head(place);
   const int bit = 1 << lane;
   ContactJump jump;
-  if (!follows || !(head.mature & bit) || pool.births[place].just_touched[lane] ||
-      !(contact.gammat > 0.0) || !events.motion_changed(contact, jump))
+  if (!follows_ || !(head.full_history & bit) || pool.cold(place).just_touched[lane] ||
+      !(contact.gammat > 0.0) || !events_.motion_changed(contact, jump))
     return false;
   const double tangent[3] = {-contact.en[1], contact.en[0], 0.0};
   const AlongAxis normal(jump, contact.en), tangential(jump, tangent);
   double* const values = pool.values(place) + lane;
-  const PlanarLawConstants& law = laws[pool.laws[place]];
+  const PlanarLawConstants& law = laws_[pool.law(place)];
 
-  const double dt = settings.dt;
-  const MultistepWeights& weights = adams_bashforth_weights(settings.order);
+  const double dt = settings_.dt;
+  const MultistepWeights& weights = adams_bashforth_weights(settings_.order);
   LastingContact<OneContact> lasting;
   lasting.spring_before = values[planar_spring] + tangential.displacement;
   lasting.spring = lasting.spring_before;
   double velocity[max_multistep_order];
-  for (int k = 0; k < slots; ++k) {
+  for (int k = 0; k < slots_; ++k) {
     velocity[k] = values[pool.velocity(k)] + tangential.velocity - k * dt * tangential.acceleration;
-    if (k < settings.order) lasting.spring += dt * weights[k] * velocity[k];
+    if (k < settings_.order) lasting.spring += dt * weights[k] * velocity[k];
   }
   lasting.normal_stiffness = contact.kn;
   lasting.normal_damping = contact.gamman;
@@ -83,12 +83,12 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   apply(contact, force.normal, along_tangent);
   values[planar_spring] = force.spring;
   values[planar_viscoelastic] = force.viscoelastic;
-  for (int k = 0; k < slots; ++k) values[pool.velocity(k)] = velocity[k];
+  for (int k = 0; k < slots_; ++k) values[pool.velocity(k)] = velocity[k];
   values[pool.velocity(0, true)] = lasting.tangential_velocity;
   if ((force.pushes && contact.gamman > 0.0) || !force.slides)
-    events.add(contact,
-               change_of_dashpots(contact, normal, tangential, force.pushes, force.slides, dt),
-               false);
+    events_.add(contact,
+                change_of_dashpots(contact, normal, tangential, force.pushes, force.slides, dt),
+                false);
   return true;
 }
 

@@ -30,23 +30,23 @@ PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarB
 }
 
 void PlanarNeighbours::resize(int bodies) {
-  listed_.resize(bodies, PlanarListed());
+  references_.resize(bodies, PlanarReference());
   const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
-  PlanarListedLanes nobody = PlanarListedLanes();
+  PlanarReferenceLanes nobody = PlanarReferenceLanes();
   std::fill_n(nobody.skin, body_lanes, std::numeric_limits<double>::infinity());
-  listed_lanes_.resize(registers, nobody);
+  reference_lanes_.resize(registers, nobody);
   moved_.resize(registers * body_lanes);
   for (PlanarBlockPool* pool : {&blocks_.pairs, &blocks_.at_walls}) pool->resize(bodies);
 }
 
 /// Makes the present position of the body its reference position, and sets its skin.
 void PlanarNeighbours::set_reference(int body) {
-  const PlanarFrame& frame = bodies_.frame(body);
+  const PlanarKinematics& frame = bodies_.kinematics(body);
   const double displacement = bodies_.step_displacement(body);
   const double skin = std::min(settings_.max_skin,
                                std::max(settings_.min_skin, settings_.skin_steps * displacement));
-  listed_[body] = {frame.x, frame.y, frame.cosine, frame.sine, bodies_.info(body).reach, skin};
-  set_lanes(body, listed_[body]);
+  references_[body] = {frame.x, frame.y, frame.cosine, frame.sine, bodies_.info(body).reach, skin};
+  set_lanes(body, references_[body]);
   moved_[body] = 0.0;
   // The bound in `moved_` may be the square root of 2 times too large.
   const double covered = before_its_skin * skin / (std::sqrt(2.0) * displacement);
@@ -56,8 +56,8 @@ void PlanarNeighbours::set_reference(int body) {
   }
 }
 
-void PlanarNeighbours::set_lanes(int body, const PlanarListed& at) {
-  PlanarListedLanes& lanes = listed_lanes_[body / body_lanes];
+void PlanarNeighbours::set_lanes(int body, const PlanarReference& at) {
+  PlanarReferenceLanes& lanes = reference_lanes_[body / body_lanes];
   const int lane = body % body_lanes;
   lanes.x[lane] = at.x;
   lanes.y[lane] = at.y;
@@ -72,10 +72,10 @@ void PlanarNeighbours::renew_steps_within_skins() {
   steps_of_listed_ = most_steps_in_pass;
 }
 
-void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvance& motions) {
-  motions.steps_ahead = steps_ahead;
-  motions.listed = listed_lanes_.data();
-  motions.moved = moved_.data();
+void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvance& arguments) {
+  arguments.steps_ahead = steps_ahead;
+  arguments.references = reference_lanes_.data();
+  arguments.moved = moved_.data();
 }
 
 void PlanarNeighbours::list_all() {
@@ -83,8 +83,8 @@ void PlanarNeighbours::list_all() {
   std::vector<double> x(count), y(count);
   for (int k = 0; k < count; ++k) {
     set_reference(k);
-    x[k] = listed_[k].x;
-    y[k] = listed_[k].y;
+    x[k] = references_[k].x;
+    y[k] = references_[k].y;
   }
   grid_.build(x, y, 2.0 * (longest_reach_ + settings_.max_skin));
   exist_ = true;
@@ -94,14 +94,14 @@ void PlanarNeighbours::list_all() {
 void PlanarNeighbours::list_anew(const std::vector<int>& bodies) {
   for (int body : bodies) {
     set_reference(body);
-    grid_.move(body, listed_[body].x, listed_[body].y);
+    grid_.move(body, references_[body].x, references_[body].y);
     list(body);
   }
 }
 
 void PlanarNeighbours::add_ghost(int ghost) {
   set_reference(ghost);
-  if (exist_) grid_.add(ghost, listed_[ghost].x, listed_[ghost].y);
+  if (exist_) grid_.add(ghost, references_[ghost].x, references_[ghost].y);
 }
 
 void PlanarNeighbours::remove_ghost(int ghost) {
@@ -111,8 +111,8 @@ void PlanarNeighbours::remove_ghost(int ghost) {
 
 /// The SIMD loop that advances the bodies of this rank does the same with them.
 bool PlanarNeighbours::follow_ghost(int ghost) {
-  const PlanarFrame& frame = bodies_.frame(ghost);
-  const PlanarListed& at = listed_[ghost];
+  const PlanarKinematics& frame = bodies_.kinematics(ghost);
+  const PlanarReference& at = references_[ghost];
   const double rx = frame.x - at.x, ry = frame.y - at.y;
   const double tc = frame.cosine - at.cosine, ts = frame.sine - at.sine;
   double& moved = moved_[ghost];
@@ -122,14 +122,14 @@ bool PlanarNeighbours::follow_ghost(int ghost) {
 
 /// Makes the blocks of a body with the bodies before `end`, and with walls.
 void PlanarNeighbours::list_near(int body, int end) {
-  const PlanarListed& at = listed_[body];
+  const PlanarReference& at = references_[body];
   const int owned = bodies_.owned();
   std::vector<int>& near = work_.near;
   near.clear();
   grid_.around(at.x, at.y, [&](int other) {
     if (other == body || other >= end) return;
     if (other >= owned && body >= owned) return;  // contacts of two ghosts are their ranks' affair
-    const PlanarListed& there = listed_[other];
+    const PlanarReference& there = references_[other];
     const double dx = at.x - there.x, dy = at.y - there.y;
     const double far = at.reach + there.reach + at.skin + there.skin;
     if (dx * dx + dy * dy < far * far) near.push_back(other);
@@ -161,7 +161,7 @@ void PlanarNeighbours::list(int body) {
 
 PlanarChain PlanarNeighbours::chain(int body) const {
   const PlanarBodyInfo& info = bodies_.info(body);
-  return {bodies_.spheres(body), info.count, info.radius, listed_[body]};
+  return {bodies_.spheres(body), info.count, info.radius, references_[body]};
 }
 
 void PlanarNeighbours::list_pair(int i, int j) {
@@ -207,7 +207,7 @@ void PlanarNeighbours::add_blocks(int i, int j) {
   PlanarBlockPool& pool = blocks_.of(j);
   const int count = static_cast<int>(candidates.size());
   for (int first = 0; first < count; first += planar_lanes) {
-    PlanarBlockBirth birth = PlanarBlockBirth();
+    PlanarBlockColdData cold = PlanarBlockColdData();
     const int used = std::min(planar_lanes, count - first);
     PlanarBlockHead head = PlanarBlockHead();
     head.i = i;
@@ -217,10 +217,10 @@ void PlanarNeighbours::add_blocks(int i, int j) {
                               -std::numeric_limits<float>::infinity());
     for (int lane = 0; lane < planar_lanes; ++lane) {
       const PlanarCandidate& pair = candidates[first + (lane < used ? lane : 0)];
-      birth.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);
-      birth.sphere_j[lane] = static_cast<std::uint16_t>(pair.sphere_j);
+      cold.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);
+      cold.sphere_j[lane] = static_cast<std::uint16_t>(pair.sphere_j);
     }
-    const int place = pool.add(parts_.of_pair(i, j), head, of_both.law, birth);
+    const int place = pool.add(parts_.of_pair(i, j), head, of_both.law, cold);
     dependencies_.add_contact(i, j, pool.part_of(place));
     fill_block(pool, place, of_both.gamma);
   }
@@ -229,14 +229,14 @@ void PlanarNeighbours::add_blocks(int i, int j) {
 void PlanarNeighbours::fill_block(PlanarBlockPool& pool, int place,
                                   const double (&gammas)[2]) const {
   const PlanarBlockHead& head = pool.head(place);
-  const PlanarBlockBirth& birth = pool.birth(place);
+  const PlanarBlockColdData& cold = pool.cold(place);
   const PlanarSphere on_wall = PlanarSphere();
   const PlanarSphere* const of_i = bodies_.spheres(head.i);
   const PlanarSphere* const of_j = head.j < 0 ? &on_wall : bodies_.spheres(head.j);
   double* const values = pool.values(place);
   std::copy_n(gammas, 2, values + planar_gammas);
   for (int lane = 0; lane < planar_lanes; ++lane) {
-    const PlanarSphere &a = of_i[birth.sphere_i[lane]], &b = of_j[birth.sphere_j[lane]];
+    const PlanarSphere &a = of_i[cold.sphere_i[lane]], &b = of_j[cold.sphere_j[lane]];
     values[planar_xi + lane] = a.x;
     values[planar_yi + lane] = a.y;
     values[planar_xj + lane] = b.x;

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "aligned_vector.h"
+#include "../planar_simd/aligned_vector.h"
 #include "bodies.h"
 #include "blocks.h"
 #include "candidates.h"
-#include "forces.h"
+#include "../planar_simd/arguments.h"
 #include "grid.h"
 #include "pipeline.h"
 
@@ -49,7 +49,7 @@ class PlanarNeighbours {
 
   /// Sets what the SIMD loop needs to find the bodies that have left their skin, or will in
   /// `steps_ahead` further steps.
-  void set_arguments(int steps_ahead, PlanarAdvance& motions);
+  void set_arguments(int steps_ahead, PlanarAdvance& arguments);
   /// Upper bounds on how far each body has moved since it was listed, m.
   const double* moved() const { return moved_.data(); }
   /// The number of lists of single bodies that were made anew.
@@ -57,7 +57,7 @@ class PlanarNeighbours {
 
  private:
   void set_reference(int body);
-  void set_lanes(int body, const PlanarListed& at);
+  void set_lanes(int body, const PlanarReference& at);
   void list(int body);
   void list_near(int body, int end);
   void list_pair(int i, int j);
@@ -82,8 +82,8 @@ class PlanarNeighbours {
   int steps_of_listed_ = most_steps_in_pass;  // of the bodies listed since the last renewal
   long listings_ = 0;
   PlanarGrid grid_;
-  AlignedVector<PlanarListed> listed_;
-  AlignedVector<PlanarListedLanes> listed_lanes_;
+  AlignedVector<PlanarReference> references_;
+  AlignedVector<PlanarReferenceLanes> reference_lanes_;
   AlignedVector<double> moved_;
 
   // Memory that listing works in.

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 
-namespace rodpack {
+#include "../planar_simd/range.h"
 
-/// Indices from `first` up to, but without, `end`.
-struct PlanarRange {
-  int first, end;
-};
+namespace rodpack {
 
 /// Division of the bodies of a rank into parts of `size` bodies, in the order of their indices. A
 /// step is made part by part, so that the bodies of a part are still in the processor's cache when

@@ -81,7 +81,7 @@ PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, i
   state.sphere_j = static_cast<std::uint16_t>(swapped ? contact.sphere_i : contact.sphere_j);
   state.history = contact.history;
   state.history.known = std::min(contact.history.known, full_count);
-  state.mature = state.history.known == full_count;
+  state.full_history = state.history.known == full_count;
   return state;
 }
 
@@ -197,12 +197,12 @@ bool PlanarScene::Data::move(int step, int part) {
     return false;
   }
   bodies.prepare(part, steps + step);
-  PlanarAdvance motions = PlanarAdvance();
-  bodies.set_arguments(part, steps + step, motions);
-  neighbours.set_arguments(steps_of_pass_ - 1 - step, motions);
-  to_list.resize(motions.bodies.end - motions.bodies.first);
-  motions.to_list = to_list.data();
-  to_list.resize(kernel.advance(motions));
+  PlanarAdvance arguments = PlanarAdvance();
+  bodies.set_arguments(part, steps + step, arguments);
+  neighbours.set_arguments(steps_of_pass_ - 1 - step, arguments);
+  to_list.resize(arguments.bodies.end - arguments.bodies.first);
+  arguments.to_list = to_list.data();
+  to_list.resize(kernel.advance(arguments));
   return !to_list.empty();
 }
 

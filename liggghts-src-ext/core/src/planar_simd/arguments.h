@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_PLANAR_FORCES_H
-#define RODPACK_PLANAR_FORCES_H
+#ifndef RODPACK_PLANAR_ARGUMENTS_H
+#define RODPACK_PLANAR_ARGUMENTS_H
 
 #include <cstddef>
 
 #include "block_layout.h"
-#include "contact.h"
-#include "parts.h"
+#include "kinematics.h"
+#include "range.h"
 #include "rodpack/motion/multistep.h"
 #include "rodpack/planar/instructions.h"
 
@@ -22,7 +22,7 @@ struct alignas(32) PlanarVector {
 };
 
 /// A block of which some lanes, one bit for each, need the general path.
-struct PlanarGeneral {
+struct PlanarGeneralBlock {
   int place, lanes;
 };
 
@@ -44,7 +44,7 @@ struct PlanarForces {
   int velocity[max_multistep_order];  // offsets of the tangential velocities k + 1 steps back
   int newest;                         // offset of the tangential velocity of this step
   // Bodies.
-  const PlanarFrame* frames;
+  const PlanarKinematics* kinematics;
   const double* moved;  // since their reference position, an upper bound, m
   PlanarVector* loads;  // the forces are added to them
   const char* jumped;   // whether a body had an event in the step before; null: none had
@@ -56,12 +56,12 @@ struct PlanarForces {
   double spring_weights[max_multistep_order];  // of the velocities in the spring, times dt, s
   bool follows;                                // whether events are corrected for
   // Room for an entry for each block.
-  PlanarGeneral* general;
+  PlanarGeneralBlock* general;
   int* awake;
 };
 
 /// Reference state of a body: where its neighbour list was made the last time, and with which skin.
-struct PlanarListed {
+struct PlanarReference {
   double x, y, cosine, sine;
   double reach;  // distance of its farthest point from the centre of mass, m
   double skin;   // m
@@ -69,11 +69,11 @@ struct PlanarListed {
 
 // Where registers find pairs of numbers in these structures, counted in doubles.
 constexpr int doubles_before(std::size_t bytes) { return static_cast<int>(bytes / sizeof(double)); }
-enum PlanarPlace {
-  frame_place = doubles_before(offsetof(PlanarFrame, x)),      // and y
-  frame_turn = doubles_before(offsetof(PlanarFrame, cosine)),  // and sine
-  frame_velocity = doubles_before(offsetof(PlanarFrame, velocity)),
-  frame_spin = frame_velocity + 2,                                          // and radius
+enum PlanarOffset {
+  body_position = doubles_before(offsetof(PlanarKinematics, x)),   // and y
+  body_turn = doubles_before(offsetof(PlanarKinematics, cosine)),  // and sine
+  body_velocity = doubles_before(offsetof(PlanarKinematics, velocity)),
+  body_spin = body_velocity + 2,                                            // and radius
   law_stiffnesses = doubles_before(offsetof(PlanarLawConstants, kn)),       // and kt
   law_friction = doubles_before(offsetof(PlanarLawConstants, inverse_kt)),  // and friction
   wall_direction = doubles_before(offsetof(PlanarWallLine, along_x)),       // and along_y
@@ -88,14 +88,14 @@ static_assert(offsetof(PlanarWallLine, along_x) == 0 && offsetof(PlanarWallLine,
                   offsetof(PlanarWallLine, free_side) == 24,
               "kernel_bodies.h reads walls as four doubles in this order");
 static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, alive) &&
-                  offsetof(PlanarBlockHead, used) + 2 == offsetof(PlanarBlockHead, mature) &&
+                  offsetof(PlanarBlockHead, used) + 2 == offsetof(PlanarBlockHead, full_history) &&
                   offsetof(PlanarBlockHead, used) + 3 == offsetof(PlanarBlockHead, sliding),
               "kernel.h reads these four bytes as one number, in this order");
 
 constexpr int body_lanes = 4;  // bodies that the SIMD loop advances at a time
 
 /// Reference states of so many bodies, side by side. A lane without a body has an infinite skin.
-struct alignas(64) PlanarListedLanes {
+struct alignas(64) PlanarReferenceLanes {
   double x[body_lanes], y[body_lanes], cosine[body_lanes], sine[body_lanes];
   double reach[body_lanes], skin[body_lanes];
 };
@@ -105,7 +105,7 @@ struct PlanarAdvance {
   PlanarRange bodies;  // `first` is a multiple of body_lanes
   int order;
   double dt;
-  PlanarFrame* frames;
+  PlanarKinematics* kinematics;
   PlanarVector* loads;   // become the weights, to which the forces of the next step are added
   PlanarVector gravity;  // m/s^2
   const PlanarVector* inertia;  // 1/mass, 1/mass, 1/moment, mass
@@ -113,7 +113,7 @@ struct PlanarAdvance {
   signed char* evaluations;
   double velocity_weights[max_multistep_order];
   double force_weights[max_multistep_order + 2][max_multistep_order];  // by number of evaluations
-  const PlanarListedLanes* listed;
+  const PlanarReferenceLanes* references;
   int steps_ahead;  // who is about to leave its skin in so many further steps is listed now
   double* moved;    // since the reference position, an upper bound, m; room for whole registers
   int* to_list;     // becomes the bodies to be listed anew; room for all

@@ -13,23 +13,23 @@ PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const Pl
                                            PlanarBodies& of_bodies,
                                            const PlanarNeighbours& neighbours, PlanarBlocks& blocks,
                                            PlanarEvents& of_contacts)
-    : settings(given),
-      slots(blocks.pairs.slots),
-      follows(given.events && given.order > 1),
-      bodies(of_bodies),
+    : settings_(given),
+      slots_(blocks.pairs.slots()),
+      follows_(given.events && given.order > 1),
+      bodies_(of_bodies),
       neighbours_(neighbours),
       blocks_(blocks),
-      events(of_contacts),
+      events_(of_contacts),
       kernel_(kernel) {
-  for (const PlanarWall& wall : settings.walls)
+  for (const PlanarWall& wall : settings_.walls)
     wall_lines_.push_back({wall.axis == 0 ? 1.0 : 0.0, wall.axis == 1 ? 1.0 : 0.0, wall.position,
                            static_cast<double>(wall.free_side)});
-  for (const PlanarLaw& law : settings.laws)
-    laws.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
+  for (const PlanarLaw& law : settings_.laws)
+    laws_.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
 }
 
 void PlanarForceEvaluator::evaluate(int part, long step) {
-  now = step;
+  step_ = step;
   evaluate_general(blocks_.pairs, kernel_.pairs(arguments(blocks_.pairs, part)));
   evaluate_general(blocks_.at_walls, kernel_.walls(arguments(blocks_.at_walls, part)));
 }
@@ -37,17 +37,17 @@ void PlanarForceEvaluator::evaluate(int part, long step) {
 PlanarForces PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
   PlanarForces forces = PlanarForces();
   pool.set_arguments(part, forces);
-  forces.frames = bodies.frame_array();
+  forces.kinematics = bodies_.kinematics_array();
   forces.moved = neighbours_.moved();
-  forces.loads = bodies.load_array();
-  forces.jumped = events.jumped();
-  forces.laws = laws.data();
-  forces.one_law = laws.size() == 1;
+  forces.loads = bodies_.load_array();
+  forces.jumped = events_.jumped();
+  forces.laws = laws_.data();
+  forces.one_law = laws_.size() == 1;
   forces.walls = wall_lines_.data();
-  forces.order = settings.order;
-  const MultistepWeights& weights = adams_bashforth_weights(settings.order);
-  for (int k = 0; k < settings.order; ++k) forces.spring_weights[k] = settings.dt * weights[k];
-  forces.follows = follows;
+  forces.order = settings_.order;
+  const MultistepWeights& weights = adams_bashforth_weights(settings_.order);
+  for (int k = 0; k < settings_.order; ++k) forces.spring_weights[k] = settings_.dt * weights[k];
+  forces.follows = follows_;
   if (static_cast<int>(work_.general.size()) < pool.size()) {
     work_.general.resize(pool.size());
     work_.awake.resize(pool.size());
@@ -76,7 +76,7 @@ PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& po
   state.history = of_lane.history;
   PlanarContact contact;
   place_lane(pool, place, lane, contact);
-  state.constants[0] = laws[pool.laws[place]].friction;
+  state.constants[0] = laws_[pool.law(place)].friction;
   state.constants[1] = contact.kt;
   state.constants[2] = contact.gammat;
   std::copy(contact.en, contact.en + 2, state.normal);
@@ -86,27 +86,27 @@ PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& po
 /// Sets the contact of a lane; false if its spheres do not overlap.
 bool PlanarForceEvaluator::place_lane(const PlanarBlockPool& pool, int place, int lane,
                                       PlanarContact& contact) const {
-  const PlanarBlockHead& head = pool.heads[place];
+  const PlanarBlockHead& head = pool.head(place);
   const double* const values = pool.values(place) + lane;
-  const PlanarLawConstants& law = laws[pool.laws[place]];
+  const PlanarLawConstants& law = laws_[pool.law(place)];
   contact.body_i = head.i;
   contact.body_j = head.j;
   contact.offset_i[0] = values[planar_xi];
   contact.offset_i[1] = values[planar_yi];
   contact.offset_j[0] = values[planar_xj];
   contact.offset_j[1] = values[planar_yj];
-  contact.radi = bodies.frame(head.i).radius;
-  contact.radj = head.j < 0 ? 0.0 : bodies.frame(head.j).radius;
+  contact.radi = bodies_.kinematics(head.i).radius;
+  contact.radj = head.j < 0 ? 0.0 : bodies_.kinematics(head.j).radius;
   contact.kn = law.kn;
   contact.kt = law.kt;
   const double* const gammas = pool.values(place) + planar_gammas;
   contact.gamman = gammas[0];
   contact.gammat = gammas[1];
   if (head.j < 0) {
-    place_wall(contact, bodies.frame(head.i), settings.walls[-1 - head.j]);
+    place_wall(contact, bodies_.kinematics(head.i), settings_.walls[-1 - head.j]);
     return contact.deltan >= 0.0;
   }
-  place_pair(contact, bodies.frame(head.i), bodies.frame(head.j));
+  place_pair(contact, bodies_.kinematics(head.i), bodies_.kinematics(head.j));
   return contact.rsq < contact.radsum * contact.radsum;
 }
 
@@ -114,7 +114,7 @@ void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
                                  const double (&tangential)[3]) {
   const Vector2<double> force = {normal * contact.en[0] + tangential[0],
                                  normal * contact.en[1] + tangential[1]};
-  PlanarVector* const loads = bodies.load_array();
+  PlanarVector* const loads = bodies_.load_array();
   double* load = loads[contact.body_i].d;
   load[0] += force.x;
   load[1] += force.y;
@@ -127,8 +127,8 @@ void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
 }
 
 void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
-  const bool alive = (pool.heads[place].alive & 1 << lane) != 0;
-  const double friction = laws[pool.laws[place]].friction;
+  const bool alive = (pool.head(place).alive & 1 << lane) != 0;
+  const double friction = laws_[pool.law(place)].friction;
   PlanarContact contact;
   const bool touches = place_lane(pool, place, lane, contact);
   if (!touches && !alive) return;
@@ -138,21 +138,21 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   pool.save(place, lane, lane_state);
   // The history in space, already turned into the present plane of contact.
   NormalHistory normal_history;
-  TangentialHistory history(slots);
+  TangentialHistory history(slots_);
   to_space(lane_state.history, contact.normal(), normal_history, history);
   if (!alive) history.known = 0;
-  history.step = now - 1;
+  history.step = step_ - 1;
   history.friction = friction;
   history.stiffness = contact.kt;
   history.damping = contact.gammat;
-  PlanarEvents* const followed = follows ? &events : nullptr;
+  PlanarEvents* const followed = follows_ ? &events_ : nullptr;
 
   if (!touches) {
     const bool close = contact.is_wall
-                           ? -contact.deltan < (settings.close_factor - 1.0) * contact.radi
-                           : contact.r < settings.close_factor * contact.radsum;
+                           ? -contact.deltan < (settings_.close_factor - 1.0) * contact.radi
+                           : contact.r < settings_.close_factor * contact.radsum;
     if (followed && close) {
-      end_normal_force(contact, normal_history, settings.dt, *followed);
+      end_normal_force(contact, normal_history, settings_.dt, *followed);
       end_tangential_force(contact, history, tangential_step(), *followed);
     }
     pool.clear(place, lane);
@@ -161,14 +161,14 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
 
   ++general_contacts_;
   const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
-  follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings.dt, followed);
+  follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings_.dt, followed);
   const TangentialForce tangential =
       tangential_contact_force(contact, history, friction, true, tangential_step(),
                                static_cast<const PlanarEvents*>(followed), followed);
   apply(contact, normal.total, tangential.force);
 
   lane_state.history = to_plane(normal_history, history, contact.normal());
-  lane_state.mature = history.known == full_count();
+  lane_state.full_history = history.known == full_count();
   pool.restore(place, lane, lane_state, true);
 }
 

@@ -25,9 +25,9 @@ struct alignas(16) PlanarBlockHead {
   // where each of them was listed last, m.
   float gap;
   // One bit for each lane, read by the inner loops as one number. used: the lane holds a candidate
-  // pair; alive: its spheres were in contact in the last step; mature: the contact has lasted for
-  // so many steps that its history is full; sliding: it slid in the last step.
-  std::uint8_t used, alive, mature, sliding;
+  // pair; alive: its spheres were in contact in the last step; full_history: the contact has lasted
+  // for so many steps that its history is full; sliding: it slid in the last step.
+  std::uint8_t used, alive, full_history, sliding;
 };
 
 /// Offsets of a block's numbers from the first of them, which has one for each lane in most rows.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of contacts between bodies, the blocks of a register at a time. Contacts to which nothing
 // happens in the step (they last, stick or slide on, push as before) take the fast path here, by
-// the same formulas as all others, which take the general path (forces.cpp).
+// the same formulas as all others, which take the general path (force_evaluator.cpp).
 //
 // Included once by a source for one set of instructions, in an unnamed namespace, after the header
 // of its lanes, which sets `Lanes`, `LaneMask` and how many blocks they hold. Nothing else may be
-// used here but forces.h: see there.
+// used here but arguments.h: see there.
 
 #include "rodpack/contact/contact_formulas.h"
 
@@ -103,14 +103,14 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
 inline Vector2<Lanes> arms_of(const double* x, const double* y, BlockConstants& frame) {
   const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)};
   Lanes cosine, sine;
-  each_two(frame, frame_turn, cosine, sine);
+  each_two(frame, body_turn, cosine, sine);
   return turned(cosine, sine, offset);
 }
 
-/// The bits of PlanarBlockHead, with the lanes of the blocks side by side. mature: lanes whose
-/// contact has lasted until its history is full.
+/// The bits of PlanarBlockHead, with the lanes of the blocks side by side. full_history: lanes
+/// whose contact has lasted until its history is full.
 struct LaneFlags {
-  int used, alive, mature, sliding;
+  int used, alive, full_history, sliding;
 };
 inline LaneFlags flags_of(const PlanarBlockHead* heads) {
   unsigned all = 0;
@@ -144,23 +144,23 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first, const Plana
   double* const values = values_of(forces, first);
   const double *frame_i[lane_blocks], *frame_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    frame_i[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].i]);
-    frame_j[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].j]);
+    frame_i[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
+    frame_j[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].j]);
   }
   const Vector2<Lanes> arm_i = arms_of(values + planar_xi, values + planar_yi, frame_i);
   const Vector2<Lanes> arm_j = arms_of(values + planar_xj, values + planar_yj, frame_j);
   Lanes xi, yi, xj, yj, wi, wj, radius_i, radius_j;
-  each_two(frame_i, frame_place, xi, yi);
-  each_two(frame_j, frame_place, xj, yj);
-  each_two(frame_i, frame_spin, wi, radius_i);
-  each_two(frame_j, frame_spin, wj, radius_j);
+  each_two(frame_i, body_position, xi, yi);
+  each_two(frame_j, body_position, xj, yj);
+  each_two(frame_i, body_spin, wi, radius_i);
+  each_two(frame_j, body_spin, wj, radius_j);
   const Lanes dx = (xi - xj) + (arm_i.x - arm_j.x), dy = (yi - yj) + (arm_i.y - arm_j.y);
   const Lanes square = dx * dx + dy * dy, reach = radius_i + radius_j;
   const LaneFlags flags = flags_of(heads);
   const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used;
   const int here = touching | flags.alive;
   if (here == 0) return 0;
-  const int lasting = touching & flags.mature & undisturbed(heads, forces);
+  const int lasting = touching & flags.full_history & undisturbed(heads, forces);
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
@@ -172,8 +172,8 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first, const Plana
   motion.lever_i = lever_in_plane(arm_i, lever_length(radius_i, motion.overlap), motion.normal);
   motion.lever_j = lever_in_plane(arm_j, -lever_length(radius_j, motion.overlap), motion.normal);
   Lanes vxi, vyi, vxj, vyj;
-  each_two(frame_i, frame_velocity, vxi, vyi);
-  each_two(frame_j, frame_velocity, vxj, vyj);
+  each_two(frame_i, body_velocity, vxi, vyi);
+  each_two(frame_j, body_velocity, vxj, vyj);
   const Vector2<Lanes> of_centres = {vxi - vxj, vyi - vyj};
   const Vector2<Lanes> velocity =
       velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j);
