@@ -93,7 +93,7 @@ struct PlanarScene::Data : private PlanarPartStep {
 
   /// Makes the first lists, if there are none yet.
   void make_lists();
-  void evaluate();
+  void evaluate_all();
   /// Makes up to `most` steps in one pass over the bodies; returns how many.
   int pass(long most);
   void sort_blocks();
@@ -160,7 +160,7 @@ void PlanarScene::Data::sort_blocks() {
   blocks.sort(parts, dependencies);
 }
 
-void PlanarScene::Data::evaluate() {
+void PlanarScene::Data::evaluate_all() {
   make_lists();
   bodies.begin_loads();
   for (int part = 0; part < parts.count(); ++part) forces.evaluate(part, steps);
@@ -236,7 +236,7 @@ PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<Plana
 
 PlanarScene::~PlanarScene() = default;
 
-void PlanarScene::evaluate() { data_->evaluate(); }
+void PlanarScene::evaluate() { data_->evaluate_all(); }
 
 long PlanarScene::run(long steps) {
   Data& d = *data_;
