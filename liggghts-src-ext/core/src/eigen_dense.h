@@ -4,7 +4,7 @@
 
 // Eigen's dense matrices and eigenvalues, wherever its headers are: in the compiler's path, or in
 // its own folder of /usr/include, so that a LIGGGHTS tree of one's own needs no further -I. For
-// sources only, not for headers that styles include.
+// sources only, not for public headers.
 #ifdef __has_include
 #if __has_include(<Eigen/Dense>)
 #include <Eigen/Dense>

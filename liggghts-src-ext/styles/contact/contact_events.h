@@ -5,8 +5,7 @@
 #include <vector>
 #include "contact_interface.h"
 #include "pointers.h"
-#include "rodpack/contact/contact_motion.h"
-#include "rodpack/contact/force_change.h"
+#include "rodpack/contact/event_correction.h"
 
 namespace LAMMPS_NS {
 
@@ -31,19 +30,15 @@ class ContactEvents : protected Pointers {
   /// The events of the integrator that runs, while forces are evaluated in a step; else null.
   static ContactEvents* armed() { return armed_; }
 
-  /// The force on i has changed to another branch `since` seconds ago: by `now` (N), growing by
-  /// `rate` (N/s) in a frame that turns with the contact. `jumps`: it did not grow from 0, so the
-  /// acceleration of the bodies jumped.
-  void add(const Contact& contact, const double (&now)[3], const double (&rate)[3], double since,
-           bool jumps = false);
-  void add(const Contact& contact, const rodpack::ForceChange& on_i, bool jumps = false);
+  /// The force on i has changed to another branch in the last step. `jumps`: it did not grow from
+  /// 0, so the acceleration of the bodies jumped.
+  void add(const Contact& contact, const rodpack::ForceChange& on_i, bool jumps);
 
   /// By how much the motion of i's surface relative to j's, at the contact, has changed in the step
   /// before because forces jumped; false if it has not. Also right at set-up, for the evaluation
   /// that is repeated there.
-  typedef rodpack::MotionChange Motion;
-  bool motion_changed(const Contact& contact, Motion& change) const {
-    return follows_jump_ && find_change(contact, change);
+  bool motion_changed(const Contact& contact, rodpack::ContactJump& jump) const {
+    return follows_jump_ && find_jump(contact, jump);
   }
 
   /// A pair that has just lost contact as if it were still in touch, of negative overlap: what the
@@ -65,8 +60,8 @@ class ContactEvents : protected Pointers {
   /// Atoms whose forces have changed, with ghosts.
   const std::vector<int>& changed() const { return changed_; }
   struct Changes {
-    rodpack::ForceChange force, torque;  // torque about the centre of the sphere
-    double jumps;                        // how many of the forces jumped
+    rodpack::BodyChange sum;  // torque about the centre of the sphere
+    double jumps;             // how many of the forces jumped
   };
   Changes changes(int i) const;
   /// Forgets the changes.
@@ -74,33 +69,33 @@ class ContactEvents : protected Pointers {
   /// Whether, on any rank, accelerations have jumped, so that the integrator has to publish.
   bool jumped() const { return any_jumped_; }
 
-  /// Change of the motion of a point of a body, the centre of a sphere or of mass, and of the
-  /// body's rotation, as in Motion.
-  struct RigidMotion {
-    double acceleration[3], velocity[3], displacement[3];
-    double angular_acceleration[3], angular_velocity[3], rotation[3];
-    double step;  // at whose end it happened, plus 1; 0: never
-  };
   /// What was published for the next step, null if nothing.
-  const RigidMotion* motion_for_next_step(int i) const;
+  const rodpack::SpatialJump* jump_for_next_step(int i) const;
   /// Before publish() is called for the spheres of the bodies that this rank owns, and after.
   void begin_publishing();
-  void publish(int i, const RigidMotion& motion);
+  /// `jump`: of the sphere's centre.
+  void publish(int i, const rodpack::SpatialJump& jump);
   void end_publishing();
   /// After the neighbour lists, and with them the ghosts, were made anew.
   void renew_ghosts();
 
  private:
-  RigidMotion& motion(class FixPropertyAtom* property, int i) const;
-  const RigidMotion* changed_motion(int i) const;
-  bool find_change(const Contact& contact, Motion& change) const;
+  /// As it is stored for each sphere.
+  struct StampedJump {
+    rodpack::SpatialJump jump;
+    double step;  // at whose end it happened, plus 1; 0: never
+  };
+  static const int jump_values = sizeof(StampedJump) / sizeof(double);
+  StampedJump& stored(class FixPropertyAtom* property, int i) const;
+  const rodpack::SpatialJump* last_jump(int i) const;
+  bool find_jump(const Contact& contact, rodpack::ContactJump& jump) const;
 
   static ContactEvents* armed_;
   const class FixMultisphere* bodies_;
   class FixPropertyAtom* force_changes_ = NULL;
   class FixPropertyAtom* torque_changes_ = NULL;
-  class FixPropertyAtom* last_motion_ = NULL;
-  class FixPropertyAtom* motion_before_ = NULL;  // for contacts of a restart, one step old
+  class FixPropertyAtom* last_jump_ = NULL;
+  class FixPropertyAtom* jump_before_ = NULL;  // for contacts of a restart, one step old
   std::vector<int> changed_;
   std::vector<char> is_changed_;  // of each atom, whether it is in that list
   bool local_jump_ = false, any_jumped_ = false;

@@ -8,6 +8,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "pair_gran.h"
+#include "rodpack/contact/contact_law.h"
 #include "stop_run.h"
 #include "vector_liggghts.h"
 
@@ -119,7 +120,8 @@ void ContactRecorder::add_contact(const LIGGGHTS::ContactModels::SurfacesInterse
   record.j = sidata.is_wall ? -1 : sidata.j;
   record.primary = is_primary(record.i, record.j);
   vectorCopy3D(sidata.en, record.normal);
-  for (int d = 0; d < 3; ++d) record.point[d] = atom->x[sidata.i][d] - sidata.cri * sidata.en[d];
+  for (int d = 0; d < 3; ++d)
+    record.point[d] = rodpack::lever_component(atom->x[sidata.i][d], sidata.cri, sidata.en[d]);
   vectorCopy3D(i_forces.delta_F, record.force);
   record.overlap = sidata.deltan;
   record.spring = 0.0;

@@ -15,6 +15,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #include "force.h"
 #include "global_properties.h"
 #include "normal_model_base.h"
+#include "rodpack/contact/contact_history.h"
 #include "rodpack/contact/contact_law.h"
 #include "rodpack/contact/normal_history.h"
 #include "update.h"
@@ -97,7 +98,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     const rodpack::NormalForce normal =
         rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn);
     sidata.Fn = normal.total;
-    follow(sidata, normal.elastic - sidata.gamman * sidata.vn);
+    follow(sidata, normal.viscoelastic);
 
     const double force_magnitude = sidata.is_wall ? sidata.Fn * sidata.area_ratio : sidata.Fn;
     for (int d = 0; d < 3; ++d) {
@@ -112,24 +113,21 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
   void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
     if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_NORMAL_MODEL;
     if (!scdata.contact_history) return;
-    rodpack::NormalHistory& history = kept(scdata.contact_history);
-    if (history.step == 0.0) return;
+    double* const stored = scdata.contact_history + offset_;
+    const rodpack::NormalHistory history = rodpack::unpack_normal(stored);
+    if (history.next_step == 0) return;
     ContactEvents* const events = ContactEvents::armed();
-    if (events && lives_on(history)) {
+    if (events && history.next_step == update->ntimestep) {
       SurfacesIntersectData contact = events->as_if_in_contact(scdata);
       set_coefficients(contact);
       rodpack::end_normal_force(contact, history, update->dt, *events);
     }
-    history = rodpack::NormalHistory();
+    rodpack::pack(rodpack::NormalHistory(), stored);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
 
  private:
-  rodpack::NormalHistory& kept(double* contact_history) const {
-    return *reinterpret_cast<rodpack::NormalHistory*>(contact_history + offset_);
-  }
-
   void set_coefficients(SurfacesIntersectData& contact) const {
     const int i = contact.itype, j = contact.jtype;
     contact.kn = kn_[i][j];
@@ -138,22 +136,20 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     contact.gammat = rodpack::damping_coefficient(eta_t_[i][j], contact.meff, contact.kt);
   }
 
-  bool lives_on(const rodpack::NormalHistory& history) const {
-    return history.step == static_cast<double>(update->ntimestep);
-  }
-
-  /// Keeps the history of a contact whose force is `uncut` before the cut, and reports its events.
-  void follow(const SurfacesIntersectData& contact, double uncut) const {
+  /// Keeps the history of a contact under the force `viscoelastic`, before its cut-off at 0, and
+  /// reports its events.
+  void follow(const SurfacesIntersectData& contact, double viscoelastic) const {
     if (!contact.computeflag) return;
-    rodpack::NormalHistory& history = kept(contact.contact_history);
-    const bool alive = lives_on(history);
-    const double stamp = static_cast<double>(update->ntimestep + 1);
+    double* const stored = contact.contact_history + offset_;
+    rodpack::NormalHistory history = rodpack::unpack_normal(stored);
+    const bool alive = history.next_step == update->ntimestep;
     // At set-up the evaluation of the last step is repeated, except after `restart N`, which saves
     // the contacts of pairs as they were one evaluation before.
-    if (contact.shearupdate || history.step == 0.0 || alive)
-      rodpack::follow_normal_force(contact, history, uncut, alive, update->dt,
+    if (contact.shearupdate || history.next_step == 0 || alive)
+      rodpack::follow_normal_force(contact, history, viscoelastic, alive, update->dt,
                                    ContactEvents::armed());
-    history.step = stamp;
+    history.next_step = update->ntimestep + 1;
+    rodpack::pack(history, stored);
   }
 
   int offset_;      // of its values in a contact's history

@@ -31,9 +31,8 @@ using rodpack::TangentialHistory;
 // spring is the integral of the tangential velocity over the life of the contact, by the multistep
 // formula of the integrator that runs.
 //
-// History of a contact: spring (3), the last N tangential velocities, newest first (3 N), number of
-// velocities known (negative while sliding), step of the last update, time between touch and the
-// end of its step. Vectors change sign when the partners swap, so their flag is "1".
+// The history of a contact is stored as rodpack/contact/contact_history.h has it. Vectors change
+// sign when the partners swap, so their flag is "1".
 template <>
 class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
  public:
@@ -92,12 +91,13 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   void surfacesIntersect(const SurfacesIntersectData& sidata, ForceData& i_forces,
                          ForceData& j_forces) {
     if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_TANGENTIAL_MODEL;
-    const TangentialHistory history = kept(sidata.contact_history);
+    TangentialHistory history = unpacked(sidata.contact_history);
     const bool renewed =
         sidata.computeflag && (sidata.shearupdate || missed_update_at_setup(history));
     const rodpack::TangentialForce tangential = rodpack::tangential_contact_force(
         sidata, history, friction_[sidata.itype][sidata.jtype] * sidata.kn, renewed, this_step(),
         events_, ContactEvents::armed());
+    if (sidata.computeflag) rodpack::pack(history, sidata.contact_history + offset_);
     apply(sidata, tangential.force, i_forces, j_forces);
     if (ContactRecorder* recorder = ContactRecorder::armed())
       recorder->add_tangential(tangential.spring, sidata.kt, i_forces);
@@ -106,24 +106,24 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   void surfacesClose(SurfacesCloseData& scdata, ForceData&, ForceData&) {
     if (scdata.contact_flags) *scdata.contact_flags &= ~CONTACT_TANGENTIAL_MODEL;
     if (!scdata.contact_history) return;
-    const TangentialHistory history = kept(scdata.contact_history);
-    if (history.count() == 0.0) return;
+    TangentialHistory history = unpacked(scdata.contact_history);
+    if (history.known == 0) return;
     ContactEvents* const events = ContactEvents::armed();
-    if (events && history.step() == static_cast<double>(update->ntimestep) - 1.0)
+    if (events && history.step == update->ntimestep - 1)
       rodpack::end_tangential_force(events->as_if_in_contact(scdata), history, this_step(),
                                     *events);
-    history.clear();
+    rodpack::pack(TangentialHistory(slots_), scdata.contact_history + offset_);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
 
  private:
-  TangentialHistory kept(double* contact_history) const {
-    return TangentialHistory{contact_history + offset_, slots_};
+  TangentialHistory unpacked(const double* contact_history) const {
+    return rodpack::unpack_tangential(contact_history + offset_, slots_);
   }
 
   rodpack::TangentialStep this_step() const {
-    return rodpack::TangentialStep{order_, static_cast<double>(update->ntimestep), update->dt};
+    return rodpack::TangentialStep{order_, update->ntimestep, update->dt};
   }
 
   /// Order of the multistep integrator among the fixes, 0 if none: velocity Verlet.
@@ -152,12 +152,11 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
 
   /// Whether a contact still needs the update of this step when a run is set up. It does after
   /// `restart N`, which saves the contacts of pairs as they were before the forces of its step.
-  bool missed_update_at_setup(const TangentialHistory& history) const {
-    const double now = static_cast<double>(update->ntimestep);
-    if (history.count() == 0.0 || history.step() == now - 1.0) return true;
+  bool missed_update_at_setup(TangentialHistory& history) const {
+    if (history.known == 0 || history.step == update->ntimestep - 1) return true;
     // The neighbour lists are new, so whatever has history is touching: it lives on even where the
     // time step was reset.
-    history.step() = now;
+    history.step = update->ntimestep;
     return false;
   }
 

@@ -88,13 +88,12 @@ class FixMultisphereAB : public FixMultisphere {
   void publish_jump(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
 
   // events of contacts
-  typedef ContactEvents::RigidMotion BodyMotion;  // of the centre of mass
   void apply_events();
   void sum_changes();
-  void correct_planar(int body, const ContactEvents::Changes& sum, BodyMotion& change);
-  void correct_spatial(int body, const ContactEvents::Changes& sum, BodyMotion& change);
-  void keep_motion(int body, const ContactEvents::Changes& sum, const BodyMotion& change);
-  void publish(const std::vector<BodyMotion>& motions);
+  rodpack::SpatialJump correct_planar(int body, const rodpack::BodyChange& sum);
+  rodpack::SpatialJump correct_spatial(int body, const rodpack::BodyChange& sum);
+  void keep_missed_motion(int body, const rodpack::SpatialJump& jump, const double* momentum);
+  void publish(const std::vector<rodpack::SpatialJump>& jumps);
 
   MultistepOptions options_;
   int order_;

@@ -8,19 +8,22 @@
 #include "domain.h"
 #include "fix_multisphere_ab.h"
 #include "math_extra.h"
+#include "rodpack/contact/event_correction.h"
 #include "rodpack/motion/rigid_motion.h"
 #include "update.h"
-#include "vector_liggghts.h"
 
 using namespace LAMMPS_NS;
+using rodpack::BodyChange;
 using rodpack::ForceChange;
+using rodpack::SpatialJump;
 
 namespace {
 
 /// Leaves of a change what acts on the components that `on` switches on.
 void mask(const bool* on, ForceChange& change) {
   for (int d = 0; d < 3; ++d)
-    if (!on[d]) change.now[d] = change.rate[d] = change.impulse[d] = change.sweep[d] = 0.0;
+    if (!on[d])
+      change.now[d] = change.rate[d] = change.impulse[d] = change.impulse_integral[d] = 0.0;
 }
 
 }  // namespace
@@ -29,17 +32,15 @@ void FixMultisphereAB::apply_events() {
   events_->disarm();
   if (!events_->collect()) return;
   sum_changes();
-  std::vector<BodyMotion> motions(changed_bodies_.size(), BodyMotion());
+  std::vector<SpatialJump> jumps;
   for (size_t k = 0; k < changed_bodies_.size(); ++k) {
     const int body = changed_bodies_[k];
-    mask(fflag_(body), changes_[k].force);
-    mask(tflag_(body), changes_[k].torque);
-    if (planar_)
-      correct_planar(body, changes_[k], motions[k]);
-    else
-      correct_spatial(body, changes_[k], motions[k]);
+    BodyChange& sum = changes_[k].sum;
+    mask(fflag_(body), sum.force);
+    mask(tflag_(body), sum.torque);
+    jumps.push_back(planar_ ? correct_planar(body, sum) : correct_spatial(body, sum));
   }
-  if (events_->jumped()) publish(motions);
+  if (events_->jumped()) publish(jumps);
   for (int body : changed_bodies_) place_[body] = -1;
   events_->clear();
 }
@@ -66,82 +67,62 @@ void FixMultisphereAB::sum_changes() {
     }
     if (i >= atom->nlocal) domain->minimum_image(lever[0], lever[1], lever[2]);
     const ContactEvents::Changes change = events_->changes(i);
-    ContactEvents::Changes& sum = changes_[place_[body]];
-    sum.force += change.force;
-    sum.torque += change.torque;
-    sum.jumps += change.jumps;
-    sum.torque += rodpack::torque_change(lever, rate, change.force);
+    ContactEvents::Changes& of_body = changes_[place_[body]];
+    of_body.sum.force += change.sum.force;
+    of_body.sum.torque += change.sum.torque;
+    of_body.sum.torque += rodpack::torque_change(lever, rate, change.sum.force);
+    of_body.jumps += change.jumps;
   }
 }
 
-void FixMultisphereAB::correct_planar(int body, const ContactEvents::Changes& sum,
-                                      BodyMotion& change) {
-  const double mass = mass_(body), moment = moment_about_z(body);
-  for (int d = 0; d < 2; ++d) {
-    change.acceleration[d] = sum.force.now[d] / mass;
-    change.velocity[d] = sum.force.impulse[d] / mass;
-    change.displacement[d] = sum.force.sweep[d] / mass;
-  }
-  change.angular_acceleration[2] = sum.torque.now[2] / moment;
-  change.angular_velocity[2] = sum.torque.impulse[2] / moment;
-  change.rotation[2] = sum.torque.sweep[2] / moment;
-  keep_motion(body, sum, change);
-
-  if (evaluations_->get(body) == 0) return;  // no past yet
+SpatialJump FixMultisphereAB::correct_planar(int body, const BodyChange& sum) {
+  const rodpack::PlanarCorrection<double> correction = {mass_(body), moment_about_z(body)};
+  const SpatialJump jump = rodpack::to_space(correction.missed(sum));
+  keep_missed_motion(body, jump, sum.torque.impulse);
+  if (evaluations_->get(body) == 0) return jump;  // no past yet
   for (int k = 1; k < order_; ++k) {
-    const double age = k * update->dt;
+    const rodpack::PlanarRates gain = correction.past(sum, k * update->dt);
     rodpack::PlanarRates& rates = *planar_record(body, k);
     for (int d = 0; d < 2; ++d) {
-      rates.velocity[d] += sum.force.past_momentum(d, age) / mass;
-      rates.acceleration[d] += sum.force.past_force(d, age) / mass;
+      rates.velocity[d] += gain.velocity[d];
+      rates.acceleration[d] += gain.acceleration[d];
     }
-    rates.angular_velocity += sum.torque.past_momentum(2, age) / moment;
-    rates.angular_acceleration += sum.torque.past_force(2, age) / moment;
+    rates.angular_velocity += gain.angular_velocity;
+    rates.angular_acceleration += gain.angular_acceleration;
   }
+  return jump;
 }
 
-void FixMultisphereAB::correct_spatial(int body, const ContactEvents::Changes& sum,
-                                       BodyMotion& change) {
-  const double mass = mass_(body);
-  double inertia[3], q[4];
-  std::copy(inertia_(body), inertia_(body) + 3, inertia);
-  std::copy(quat_(body), quat_(body) + 4, q);
-  for (int d = 0; d < 3; ++d) {
-    change.acceleration[d] = sum.force.now[d] / mass;
-    change.velocity[d] = sum.force.impulse[d] / mass;
-    change.displacement[d] = sum.force.sweep[d] / mass;
-  }
-  rodpack::angular_velocity(q, sum.torque.now, inertia, change.angular_acceleration);
-  rodpack::angular_velocity(q, sum.torque.impulse, inertia, change.angular_velocity);
-  rodpack::angular_velocity(q, sum.torque.sweep, inertia, change.rotation);
-
-  keep_motion(body, sum, change);
-
-  if (evaluations_->get(body) == 0) return;
+SpatialJump FixMultisphereAB::correct_spatial(int body, const BodyChange& sum) {
+  rodpack::SpatialCorrection correction;
+  correction.mass = mass_(body);
+  std::copy(inertia_(body), inertia_(body) + 3, correction.inertia);
+  std::copy(quat_(body), quat_(body) + 4, correction.quaternion);
+  const SpatialJump jump = correction.missed(sum);
+  keep_missed_motion(body, jump, sum.torque.impulse);
+  if (evaluations_->get(body) == 0) return jump;
   for (int k = 1; k < order_; ++k) {
-    const double age = k * update->dt;
+    const rodpack::SpatialRates gain = correction.past(sum, k * update->dt);
     rodpack::SpatialRates& rates =
         *reinterpret_cast<rodpack::SpatialRates*>((*past_spatial_[order_ - 1 - k])(body));
-    double momentum[3], turn[3], gain[4];
     for (int d = 0; d < 3; ++d) {
-      rates.velocity[d] += sum.force.past_momentum(d, age) / mass;
-      rates.acceleration[d] += sum.force.past_force(d, age) / mass;
-      rates.torque[d] += sum.torque.past_force(d, age);
-      momentum[d] = sum.torque.past_momentum(d, age);
+      rates.velocity[d] += gain.velocity[d];
+      rates.acceleration[d] += gain.acceleration[d];
+      rates.torque[d] += gain.torque[d];
     }
-    rodpack::angular_velocity(q, momentum, inertia, turn);
-    MathExtra::vecquat(turn, q, gain);  // in the space frame dq/dt = (0, turn) q / 2
-    for (int d = 0; d < 4; ++d) rates.quaternion_rate[d] += 0.5 * gain[d];
+    for (int d = 0; d < 4; ++d) rates.quaternion_rate[d] += gain.quaternion_rate[d];
   }
+  return jump;
 }
 
-void FixMultisphereAB::keep_motion(int body, const ContactEvents::Changes& sum,
-                                   const BodyMotion& change) {
+/// `momentum`: the angular momentum that is missing.
+void FixMultisphereAB::keep_missed_motion(int body, const SpatialJump& jump,
+                                          const double* momentum) {
   double* missed = (*missed_motion_)(body);
-  std::copy(change.displacement, change.displacement + 3, missed);
-  std::copy(change.rotation, change.rotation + 3, missed + 3);
-  std::copy(change.velocity, change.velocity + 3, missed + 6);
-  std::copy(sum.torque.impulse, sum.torque.impulse + 3, missed + 9);
+  std::copy(jump.displacement, jump.displacement + 3, missed);
+  std::copy(jump.rotation, jump.rotation + 3, missed + 3);
+  std::copy(jump.velocity, jump.velocity + 3, missed + 6);
+  std::copy(momentum, momentum + 3, missed + 9);
 }
 
 void FixMultisphereAB::move_planar(int body) {
@@ -170,8 +151,9 @@ void FixMultisphereAB::move_spatial(int body) {
   if (missed[3] != 0.0 || missed[4] != 0.0 || missed[5] != 0.0) {
     double q[4], gain[4];
     std::copy(quat_(body), quat_(body) + 4, q);
-    MathExtra::vecquat(missed + 3, q, gain);
-    for (int d = 0; d < 4; ++d) q[d] += 0.5 * gain[d];
+    const double rotation[3] = {missed[3], missed[4], missed[5]};
+    rodpack::half_product(rotation, q, gain);
+    for (int d = 0; d < 4; ++d) q[d] += gain[d];
     rodpack::normalise(q);
     std::copy(q, q + 4, quat_(body));
   }
@@ -180,7 +162,7 @@ void FixMultisphereAB::move_spatial(int body) {
 
 /// Tells the contacts of the changed bodies, for the next step, how the motion of each sphere has
 /// changed.
-void FixMultisphereAB::publish(const std::vector<BodyMotion>& motions) {
+void FixMultisphereAB::publish(const std::vector<SpatialJump>& jumps) {
   events_->begin_publishing();
   for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
     if (body_[i] < 0) continue;
@@ -188,18 +170,9 @@ void FixMultisphereAB::publish(const std::vector<BodyMotion>& motions) {
     if (body < 0 || place_[body] < 0 || !(changes_[place_[body]].jumps > 0.0)) continue;
     // Ghosts of several ranks get theirs by communication.
     if (comm->nprocs > 1 && !domain->is_owned_or_first_ghost(i)) continue;
-    const BodyMotion& of_body = motions[place_[body]];
     double arm[3];
     MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
-    BodyMotion motion = of_body;
-    const auto at_sphere = [&](const double* centre, const double* turn, double* result) {
-      vectorCross3D(turn, arm, result);
-      for (int d = 0; d < 3; ++d) result[d] += centre[d];
-    };
-    at_sphere(of_body.acceleration, of_body.angular_acceleration, motion.acceleration);
-    at_sphere(of_body.velocity, of_body.angular_velocity, motion.velocity);
-    at_sphere(of_body.displacement, of_body.rotation, motion.displacement);
-    events_->publish(i, motion);
+    events_->publish(i, rodpack::jump_at(jumps[place_[body]], arm));
   }
   events_->end_publishing();
 }

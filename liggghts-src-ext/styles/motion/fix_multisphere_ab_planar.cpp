@@ -60,21 +60,14 @@ rodpack::PlanarRates* FixMultisphereAB::planar_record(int body, int age) {
 
 /// What contacts will be told about the body in the next step, if its acceleration has jumped.
 void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& planar) {
-  const ContactEvents::RigidMotion* motion = events_->motion_for_next_step(atoms[0]);
-  planar.jumped = motion != NULL;
-  if (!motion) return;
-  const rodpack::PlanarSphere& arm = planar.spheres[0];
-  const auto at_centre = [&](const double* of_sphere, const double* turn, double(&result)[3]) {
-    result[0] = of_sphere[0] + turn[2] * arm.y;
-    result[1] = of_sphere[1] - turn[2] * arm.x;
-    result[2] = turn[2];
-  };
-  rodpack::PlanarMotionChange& change = planar.change;
-  at_centre(motion->acceleration, motion->angular_acceleration, change.acceleration);
-  at_centre(motion->velocity, motion->angular_velocity, change.velocity);
-  at_centre(motion->displacement, motion->rotation, change.displacement);
-  change.cosine = planar.cosine;
-  change.sine = planar.sine;
+  const rodpack::SpatialJump* of_sphere = events_->jump_for_next_step(atoms[0]);
+  planar.jumped = of_sphere != NULL;
+  if (!of_sphere) return;
+  const rodpack::PlanarSphere& sphere = planar.spheres[0];
+  const double to_centre[3] = {-sphere.x, -sphere.y, 0.0};
+  planar.change = rodpack::to_plane(rodpack::jump_at(*of_sphere, to_centre));
+  planar.change.cosine = planar.cosine;
+  planar.change.sine = planar.sine;
 }
 
 /// Before from_planar() is called for the bodies of this rank.
@@ -111,20 +104,11 @@ void FixMultisphereAB::from_planar(int body, const std::vector<int>& atoms,
 
 void FixMultisphereAB::publish_jump(int body, const std::vector<int>& atoms,
                                     const PlanarBody& planar) {
-  const rodpack::PlanarMotionChange& change = planar.change;
+  const rodpack::SpatialJump jump = rodpack::to_space(planar.change);
   for (int i : atoms) {
     double arm[3];
     MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);
-    ContactEvents::RigidMotion motion = {};
-    const auto at_sphere = [&](const double(&centre)[3], double* of_sphere, double* turn) {
-      of_sphere[0] = centre[0] - centre[2] * arm[1];
-      of_sphere[1] = centre[1] + centre[2] * arm[0];
-      turn[2] = centre[2];
-    };
-    at_sphere(change.acceleration, motion.acceleration, motion.angular_acceleration);
-    at_sphere(change.velocity, motion.velocity, motion.angular_velocity);
-    at_sphere(change.displacement, motion.displacement, motion.rotation);
-    events_->publish(i, motion);
+    events_->publish(i, rodpack::jump_at(jump, arm));
   }
 }
 

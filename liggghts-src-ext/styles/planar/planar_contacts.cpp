@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "atom.h"
 #include "comm.h"
@@ -20,19 +21,15 @@
 #include "pair_gran.h"
 #include "planar_stop.h"
 #include "primitive_wall.h"
-#include "rodpack/contact/normal_history.h"
-#include "rodpack/contact/tangential_history.h"
+#include "rodpack/contact/planar_history.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
 
 using rodpack::NormalHistory;
-using rodpack::PlanarContactState;
 using rodpack::TangentialHistory;
 
 namespace {
-
-constexpr int normal_values = sizeof(NormalHistory) / sizeof(double);
 
 struct WallAccess : FixWallGran {
   static double** histories(FixWallGran* wall) {
@@ -101,20 +98,6 @@ bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   return false;
 }
 
-/// History of one contact, as the models of LIGGGHTS keep it, along the tangent z x n.
-struct Frame {
-  double tangent[2];
-  Frame(double nx, double ny) : tangent{-ny, nx} {}
-  double along(const double* vector) const {
-    return vector[0] * tangent[0] + vector[1] * tangent[1];
-  }
-  void set(double component, double* vector) const {
-    vector[0] = component * tangent[0];
-    vector[1] = component * tangent[1];
-    vector[2] = 0.0;
-  }
-};
-
 }  // namespace
 
 void PlanarContacts::connect() {
@@ -124,9 +107,9 @@ void PlanarContacts::connect() {
   if (!has_known_models(pair_))
     refuse(lmp, std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();
-  slots_ = (values_ - normal_values - TangentialHistory::size(0)) / 3;
+  slots_ = (values_ - rodpack::stored_history_values(0)) / 3;
   if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
-      values_ != normal_values + TangentialHistory::size(slots_))
+      values_ != rodpack::stored_history_values(slots_))
     refuse(lmp, "pair_style gran keeps other values in the history of contacts");
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
@@ -178,41 +161,30 @@ std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
 
 /// What LIGGGHTS keeps of a contact.
 struct PlanarContacts::Record {
-  NormalHistory& normal;
+  NormalHistory normal;
   TangentialHistory tangential;
-  Record(double* values, int slots)
-      : normal(*reinterpret_cast<NormalHistory*>(values)),
-        tangential{values + normal_values, slots} {}
 
-  bool lives(double now) const { return tangential.count() != 0.0 && tangential.step() == now; }
-  void read(const Frame& frame, PlanarContactState& contact) const {
-    contact.spring = frame.along(tangential.spring());
-    for (int k = 0; k < rodpack::max_multistep_order; ++k)
-      contact.velocity[k] = k < tangential.slots ? frame.along(tangential.velocity(k)) : 0.0;
-    contact.count = static_cast<int>(tangential.count());
-    contact.since = tangential.since();
-    contact.uncut = normal.uncut;
-    contact.touch_rate = normal.touch_rate;
-    contact.fresh = normal.fresh != 0.0;
+  Record(const double* stored, int slots)
+      : normal(rodpack::unpack_normal(stored)),
+        tangential(rodpack::unpack_tangential(stored + rodpack::stored_normal_values, slots)) {}
+  Record(const PlanarContactRecord& contact, int slots, std::int64_t now) : tangential(slots) {
+    to_space(contact.state.history, {contact.normal[0], contact.normal[1]}, normal, tangential);
+    normal.next_step = now + 1;
+    tangential.step = now;
+    tangential.friction = contact.state.constants[0];
+    tangential.stiffness = contact.state.constants[1];
+    tangential.damping = contact.state.constants[2];
   }
-  void write(const PlanarContactState& contact, const Frame& frame, double now) const {
-    frame.set(contact.spring, tangential.spring());
-    for (int k = 0; k < tangential.slots; ++k)
-      frame.set(k < rodpack::max_multistep_order ? contact.velocity[k] : 0.0,
-                tangential.velocity(k));
-    tangential.count() = contact.count;
-    tangential.step() = now;
-    tangential.since() = contact.since;
-    std::copy(contact.constants, contact.constants + 3, tangential.constants());
-    normal.uncut = contact.uncut;
-    normal.touch_rate = contact.touch_rate;
-    normal.fresh = contact.fresh ? 1.0 : 0.0;
-    normal.step = now + 1.0;
+
+  bool lives(std::int64_t now) const { return tangential.known != 0 && tangential.step == now; }
+  void store(double* stored) const {
+    rodpack::pack(normal, stored);
+    rodpack::pack(tangential, stored + rodpack::stored_normal_values);
   }
 };
 
 std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners) const {
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   std::vector<std::vector<PlanarContactRecord> > contacts(comm->nprocs);
   const auto send = [&](const PlanarContactRecord& contact, int atom_index) {
     contacts[owners.of_body(atom_index)].push_back(contact);
@@ -233,7 +205,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.atom = atom->tag[i];
       contact.partner = atom->tag[j];
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
-      record.read(Frame(dx / r, dy / r), contact.state);
+      contact.state.history = to_plane(record.normal, record.tangential, {dx / r, dy / r});
       send(contact, i);
       if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
     }
@@ -248,7 +220,8 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
       contact.partner = -1 - static_cast<int>(w);
       const int axis = planes[w].axis;
       const double side = planes[w].side_of(x[i][axis] - planes[w].position);
-      record.read(Frame(axis == 0 ? side : 0.0, axis == 1 ? side : 0.0), contact.state);
+      contact.state.history = to_plane(record.normal, record.tangential,
+                                       {axis == 0 ? side : 0.0, axis == 1 ? side : 0.0});
       send(contact, i);
     }
   return exchange_records(world, std::move(contacts));
@@ -263,20 +236,20 @@ int PlanarContacts::local_atom(int tag) const {
 }
 
 void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& records) const {
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   for (FixWallGran* wall : walls_)
     for (int i = 0; i < atom->nlocal; ++i)
       std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
   for (const PlanarContactRecord& contact : records)
     if (contact.partner < 0)
-      Record(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)], slots_)
-          .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+      Record(contact, slots_, now)
+          .store(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
 }
 
 void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
   using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
   using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   NeighList* const list = pair_->list;
   for (int ii = 0; ii < list->inum; ++ii) {
@@ -301,14 +274,13 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
     missing += (is_there ? -1 : 1) * (j >= 0 && j < atom->nlocal ? 1 : is_there ? 0 : 2);
     if (!is_there) continue;
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    Record(list->listgranhistory->firstdouble[i] + values_ * jj, slots_)
-        .write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+    Record(contact, slots_, now).store(list->listgranhistory->firstdouble[i] + values_ * jj);
   }
   if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
 
 void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
-  const double now = static_cast<double>(update->ntimestep);
+  const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   FixContactHistory* const histories = pair_->list->fix_history;
   std::vector<int> counts(atom->nlocal, 0);
@@ -327,9 +299,7 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
     if (contact.partner < 0) continue;
     const int i = local_atom(contact.atom), place = HistoryAccess::count(histories, i)++;
     HistoryAccess::partners(histories, i)[place] = contact.partner;
-    double* const values = histories->contacthistory(i, place);
-    std::fill_n(values, values_, 0.0);
-    Record(values, slots_).write(contact.state, Frame(contact.normal[0], contact.normal[1]), now);
+    Record(contact, slots_, now).store(histories->contacthistory(i, place));
   }
 }
 

@@ -31,8 +31,8 @@ TEST(ForceChange, MomentsAreTheIntegralsSinceTheEvent) {
     EXPECT_NEAR(change.impulse[d], integral([=](double t) { return linear(d, t); }, -since, 0),
                 1e-15);
     // int int D = int (0 - t) D dt
-    EXPECT_NEAR(change.sweep[d], integral([=](double t) { return -t * linear(d, t); }, -since, 0),
-                1e-15);
+    EXPECT_NEAR(change.impulse_integral[d],
+                integral([=](double t) { return -t * linear(d, t); }, -since, 0), 1e-15);
   }
 }
 
@@ -61,7 +61,8 @@ TEST(ForceChange, TorqueFollowsAMovingLever) {
     EXPECT_NEAR(torque.rate[d], (at(d, 1e-6) - at(d, -1e-6)) / 2e-6, 1e-8);
     EXPECT_NEAR(torque.impulse[d], integral([&](double t) { return at(d, t); }, -since, 0), 1e-15);
   }
-  // The sweep is to leading order in the time since the event: exact for a lever at rest.
+  // The integral of the impulse is to leading order in the time since the event: exact for a lever
+  // at rest.
   const double at_rest[3] = {0, 0, 0};
   const ForceChange still = torque_change(lever, at_rest, linear_change(now, rate, since));
   for (int d = 0; d < 3; ++d) {
@@ -69,24 +70,27 @@ TEST(ForceChange, TorqueFollowsAMovingLever) {
     const auto moment = [&](double t) {
       return -t * (lever[e] * linear(f, t) - lever[f] * linear(e, t));
     };
-    EXPECT_NEAR(still.sweep[d], integral(moment, -since, 0), 1e-15);
+    EXPECT_NEAR(still.impulse_integral[d], integral(moment, -since, 0), 1e-15);
   }
 }
 
-// Two steps at constant acceleration after a jump: the dashpot's force is -c times the velocity.
+// Both are of one text; the plane has the z component alone.
 TEST(ForceChange, PlanarTorqueIsTheSpatialOne) {
   const double lever[3] = {0.3, -0.2, 0}, lever_rate[3] = {-2, 5, 0};
   const ForceChange force = linear_change({1.5, 0.7, 0}, {-20, 11, 0}, 0.03);
   const ForceChange spatial = torque_change(lever, lever_rate, force);
-  ForceChange planar = spatial;
-  add_planar_torque_change(lever, lever_rate, force, planar);
-  for (const auto part :
-       {&ForceChange::now, &ForceChange::rate, &ForceChange::impulse, &ForceChange::sweep}) {
-    EXPECT_NEAR((planar.*part)[2], 2 * (spatial.*part)[2], 1e-15 * std::fabs((spatial.*part)[2]));
+  const ForceChange planar = planar_torque_change(lever, lever_rate, force);
+  for (const auto part : {&ForceChange::now, &ForceChange::rate, &ForceChange::impulse,
+                          &ForceChange::impulse_integral}) {
+    EXPECT_NEAR((planar.*part)[2], (spatial.*part)[2], 1e-15 * std::fabs((spatial.*part)[2]));
     EXPECT_NE((planar.*part)[2], 0);
+    for (int d = 0; d < 2; ++d) EXPECT_EQ((planar.*part)[d], 0);
   }
 }
 
+// The velocity has jumped by v, the acceleration by a and the position by x, and a step has gone by
+// since: the dashpot's force, -c times the velocity, has changed by -c (v + a t) at the time t in
+// it, and its impulse by -c (x + v t + a t^2 / 2), as x was missed before.
 TEST(ForceChange, DashpotTakesTheChangedVelocity) {
   const double c = 3, dt = 0.1, a[3] = {2, 0, -1}, v[3] = {0.1, 0.2, 0}, x[3] = {0.01, 0, 0.02};
   const ForceChange change = dashpot_change(c, a, v, x, dt);
@@ -96,7 +100,7 @@ TEST(ForceChange, DashpotTakesTheChangedVelocity) {
     EXPECT_NEAR(change.rate[d], -c * a[d], 1e-15);
     EXPECT_NEAR(change.impulse[d], -c * (x[d] + integral(velocity, 0, dt)), 1e-15);
     EXPECT_NEAR(
-        change.sweep[d],
+        change.impulse_integral[d],
         integral([&](double t) { return -c * (x[d] + v[d] * t + 0.5 * a[d] * t * t); }, 0, dt),
         1e-15);
   }
@@ -129,7 +133,7 @@ TEST(ForceChange, AdamsBashforthKeepsThirdOrderThroughTouch) {
           rate_at_touch = -v;
           sum = linear_change({force, 0, 0}, {rate_at_touch, 0, 0}, x / v);
         } else if (in_touch == 2) {
-          sum = dashpot_change(c, last.now, last.impulse, last.sweep, dt);
+          sum = dashpot_change(c, last.now, last.impulse, last.impulse_integral, dt);
           const double missed =
               (force - (before - c * last.impulse[0])) / dt - (rate_at_touch - c * last.now[0]);
           sum += linear_change({missed * dt, 0, 0}, {missed, 0, 0}, dt);
@@ -139,7 +143,7 @@ TEST(ForceChange, AdamsBashforthKeepsThirdOrderThroughTouch) {
       last = sum;
       if (n == steps + 5 - 1) {
         const double t = (steps - 1 + phase) * dt;
-        return std::fabs(x + sum.sweep[0] - std::exp(-eta * t) * std::sin(w * t) / w);
+        return std::fabs(x + sum.impulse_integral[0] - std::exp(-eta * t) * std::sin(w * t) / w);
       }
       velocity[0] = v + sum.impulse[0];
       acceleration[0] = force;
@@ -148,7 +152,8 @@ TEST(ForceChange, AdamsBashforthKeepsThirdOrderThroughTouch) {
         acceleration[k] += sum.past_force(0, k * dt);
       }
       const auto& weights = adams_bashforth_weights(3);
-      x += sum.sweep[0] + multistep_increment(weights, 3, dt, [&](int k) { return velocity[k]; });
+      x += sum.impulse_integral[0] +
+           multistep_increment(weights, 3, dt, [&](int k) { return velocity[k]; });
       v = velocity[0] + multistep_increment(weights, 3, dt, [&](int k) { return acceleration[k]; });
       for (int k = 2; k > 0; --k) {
         velocity[k] = velocity[k - 1];

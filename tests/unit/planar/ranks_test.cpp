@@ -241,7 +241,7 @@ TEST(PlanarRanks, MotionIsThatOfOneScene) {
     }
 }
 
-// In a sweep some bodies of a rank are ahead of others, but not of those that it knows of others.
+// In a pass some bodies of a rank are ahead of others, but not of those that it knows of others.
 TEST(PlanarRanks, StepsAtOnceAreThoseOfOneScene) {
   PlanarSettings settings = box(5);
   settings.walls.pop_back();
@@ -266,15 +266,16 @@ TEST(PlanarRanks, ContactOfTwoRanksHasTheSameHistoryOnBothToTheLastBit) {
     for (const auto& entry : parts.contacts()) {
       if (entry.second.size() == 1) continue;
       ASSERT_EQ(entry.second.size(), 2u);
-      const PlanarContactState &a = entry.second[0], &b = entry.second[1];
+      const PlanarHistory &a = entry.second[0].history, &b = entry.second[1].history;
       ++shared;
       EXPECT_EQ(a.spring, b.spring);
       for (int k = 0; k < 3; ++k) EXPECT_EQ(a.velocity[k], b.velocity[k]);
-      EXPECT_EQ(a.count, b.count);
+      EXPECT_EQ(a.known, b.known);
+      EXPECT_EQ(a.sliding, b.sliding);
       EXPECT_EQ(a.since, b.since);
-      EXPECT_EQ(a.uncut, b.uncut);
+      EXPECT_EQ(a.viscoelastic, b.viscoelastic);
       EXPECT_EQ(a.touch_rate, b.touch_rate);
-      EXPECT_EQ(a.normal[0], b.normal[0]);
+      EXPECT_EQ(entry.second[0].normal[0], entry.second[1].normal[0]);
     }
   }
   EXPECT_GT(shared, 10);

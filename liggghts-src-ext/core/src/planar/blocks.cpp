@@ -1,76 +1,60 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where blocks lie: in the order of the parts of the bodies, so that forces follow the motion.
-#include <algorithm>
-#include <cstdint>
-
 #include "blocks.h"
-#include "halo.h"
-#include "scene_data.h"
+
+#include <algorithm>
+#include <bitset>
+#include <limits>
+
+#include "../planar_simd/arguments.h"
 
 namespace rodpack {
 
-void PlanarBlockPool::reorder(const std::vector<int>& order, int touching,
-                              const PlanarParts& parts) {
-  heads.swap(spare_heads_);
-  laws.swap(spare_laws_);
-  all_values.swap(spare_values_);
-  births.swap(spare_births_);
-  for (std::vector<int>& list : of_body_) list.clear();
-  early_holes_.clear();
-  holes_.clear();
-  filled_ = 0;
-  const int count = static_cast<int>(order.size());
-  ordered_ = whole_groups(count);
-  resize_blocks(count, count);
-  for (int k = 0; k < count; ++k) {
-    if (order[k] < 0) {
-      make_hole(k);
-      continue;
-    }
-    ++filled_;
-    heads[k] = spare_heads_[order[k]];
-    laws[k] = spare_laws_[order[k]];
-    births[k] = spare_births_[order[k]];
-    const double* const from = &spare_values_[values_place(order[k])];
-    double* const to = values(k);
-    for (int row = 0; row < rows(); ++row)
-      std::copy_n(from + row * planar_row, planar_lanes, to + row * planar_row);
-    of_body_[heads[k].i].push_back(k);
-    if (heads[k].j >= 0) of_body_[heads[k].j].push_back(k);
+PlanarBlockPool::PlanarBlockPool(int bodies, int slots, int hole_j)
+    : slots_(slots), of_body_(bodies) {
+  hole_.j = hole_j;
+  hole_.gap = std::numeric_limits<float>::infinity();
+}
+
+int PlanarBlockPool::add(int part, const PlanarBlockHead& head, int law,
+                         const PlanarBlockColdData& cold) {
+  const int place = take_hole(part);
+  ++filled_;
+  heads_[place] = head;
+  laws_[place] = law;
+  cold_[place] = cold;
+  of_body_[head.i].push_back(place);
+  if (head.j >= 0) of_body_[head.j].push_back(place);
+  return place;
+}
+
+void PlanarBlockPool::remove_all_of(int body) {
+  for (const int place : of_body_[body]) {
+    const PlanarBlockHead& head = heads_[place];
+    const int other = head.i == body ? head.j : head.i;
+    if (other >= 0) forget(other, place);
+    make_hole(place);
+    --filled_;
   }
-
-  // Holes name the first body: they are of no part that is too late.
-  const auto find_ends = [&](int first, int end, std::vector<int>& ends) {
-    ends.clear();
-    for (int part = 0; part < parts.last(); ++part) {
-      while (first < end && parts.of(heads[first]) <= part) ++first;
-      ends.push_back(first - first % planar_group);
-    }
-    ends.push_back(end);
-  };
-  find_ends(0, touching, ends_of_touching_);
-  find_ends(touching, ordered_, ends_of_others_);
-  for (EarlyHole& hole : early_holes_) hole.part = part_of(hole.place);
+  of_body_[body].clear();
 }
 
-PlanarRange PlanarBlockPool::touching(int part) const {
-  if (ends_of_touching_.empty()) return {0, 0};
-  return {part == 0 ? 0 : ends_of_touching_[part - 1], ends_of_touching_[part]};
+std::size_t PlanarBlockPool::contacts() const {
+  std::size_t count = 0;
+  for (const PlanarBlockHead& head : heads_) count += std::bitset<8>(head.alive).count();
+  return count;
 }
 
-PlanarRange PlanarBlockPool::others(int part) const {
-  const int last = static_cast<int>(ends_of_others_.size()) - 1;
-  if (last < 0) return {0, 0};
-  return {part == 0 ? ends_of_touching_[last] : ends_of_others_[part - 1],
-          part == last ? size() : ends_of_others_[part]};
-}
-
-int PlanarBlockPool::part_of(int place) const {
-  const int last = static_cast<int>(ends_of_others_.size()) - 1;
-  if (place >= ordered_ || last < 0) return std::max(last, 0);
-  const std::vector<int>& ends =
-      place < ends_of_touching_[last] ? ends_of_touching_ : ends_of_others_;
-  return static_cast<int>(std::upper_bound(ends.begin(), ends.end(), place) - ends.begin());
+std::pair<int, int> PlanarBlockPool::find(int i, int sphere_i, int j, int sphere_j) const {
+  for (const int place : of_body_[i]) {
+    const PlanarBlockHead& head = heads_[place];
+    if (head.i != i || head.j != j) continue;
+    const PlanarBlockColdData& cold = cold_[place];
+    for (int lane = 0; lane < planar_lanes; ++lane)
+      if ((head.used & 1 << lane) && cold.sphere_i[lane] == sphere_i &&
+          cold.sphere_j[lane] == sphere_j)
+        return {place, lane};
+  }
+  return {-1, 0};
 }
 
 int PlanarBlockPool::take_hole(int part) {
@@ -88,94 +72,105 @@ int PlanarBlockPool::take_hole(int part) {
   return place;
 }
 
-void save_lane(const PlanarBlockPool& pool, int place, int lane, PlanarScene::Data::Saved& saved) {
-  const PlanarBlockHead& head = pool.heads[place];
-  const double* const values = pool.values(place) + lane;
-  const PlanarBlockBirth& birth = pool.births[place];
-  const int bit = 1 << lane;
-  saved.i = head.i;
-  saved.j = head.j;
-  saved.sphere_i = birth.sphere_i[lane];
-  saved.sphere_j = birth.sphere_j[lane];
-  saved.sliding = (head.sliding & bit) != 0;
-  saved.mature = (head.mature & bit) != 0;
-  saved.fresh = birth.fresh[lane];
-  saved.count = birth.count[lane];
-  saved.spring = values[planar_spring];
-  for (int k = 0; k < max_multistep_order; ++k)
-    saved.velocity[k] = k < pool.slots ? values[pool.velocity(k)] : 0.0;
-  saved.uncut = values[planar_uncut];
-  saved.touch_rate = birth.touch_rate[lane];
-  saved.since = birth.since[lane];
+/// Makes room for `blocks` blocks in whole groups; places from `filled` on become holes.
+void PlanarBlockPool::resize_blocks(int filled, int blocks) {
+  const int places = whole_groups(blocks);
+  heads_.resize(places);
+  all_values_.resize(static_cast<std::size_t>(places) * rows() * planar_lanes);
+  laws_.resize(places);
+  cold_.resize(places);
+  for (int place = size() - 1; place >= filled; --place) make_hole(place);
 }
 
-void restore_lane(PlanarBlockPool& pool, int place, int lane, const PlanarScene::Data::Saved& saved,
-                  bool turned) {
-  PlanarBlockHead& head = pool.heads[place];
-  double* const values = pool.values(place) + lane;
-  PlanarBlockBirth& birth = pool.births[place];
-  const auto set = [&](std::uint8_t& bits, bool on) {
-    bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
-  };
-  set(head.alive, saved.count != 0);
-  set(head.mature, saved.mature);
-  set(head.sliding, saved.sliding);
-  birth.fresh[lane] = saved.fresh;
-  birth.count[lane] = saved.count;
-  birth.touch_rate[lane] = saved.touch_rate;
-  birth.since[lane] = saved.since;
-  values[planar_spring] = saved.spring;
-  for (int k = 0; k < pool.slots; ++k) values[pool.velocity(k, turned)] = saved.velocity[k];
-  values[planar_uncut] = saved.uncut;
+void PlanarBlockPool::make_hole(int place) {
+  heads_[place] = hole_;
+  double* const of_place = values(place);
+  std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
+  for (int row : {planar_yi, planar_xj, planar_yj}) std::fill_n(of_place + row, planar_lanes, 0.0);
+  if (place < sorted_)
+    early_holes_.push_back({place, part_of(place)});
+  else
+    holes_.push_back(place);
 }
 
-void clear_lane(PlanarBlockPool& pool, int place, int lane) {
-  restore_lane(pool, place, lane, PlanarScene::Data::Saved());
-}
-
-namespace {
-
-// Of the first block that does not touch.
-const std::uint64_t apart = std::uint64_t{1} << 63;
-
-/// Touching blocks first, each kind in the order in which their bodies have both moved.
-std::uint64_t place_in_order(const PlanarBlockHead& head) {
-  const std::uint64_t later = std::max(head.i, head.j);
-  const std::uint32_t earlier = std::min(head.i, head.j);
-  return (head.alive != 0 ? 0 : apart) | later << 32 | earlier;
-}
-
-}  // namespace
-
-void PlanarScene::Data::sort_blocks() {
-  longest_sweep = next_longest_sweep;
-  next_longest_sweep = steps_in_sweep;
-  for (int part = 0; part < parts.count(); ++part) completed_by[part] = part;
-  if (halo) halo->hold_back_sent(*this);
-  for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
-    const AlignedVector<PlanarBlockHead>& heads = pool->heads;
-    in_order.clear();
-    for (int k = 0; k < pool->size(); ++k)
-      if (heads[k].used != 0) in_order.push_back({place_in_order(heads[k]), k});
-    std::sort(in_order.begin(), in_order.end());
-    const auto others = std::lower_bound(in_order.begin(), in_order.end(), Placed{apart, 0});
-    const int touching = static_cast<int>(others - in_order.begin());
-    order.assign(whole_groups(touching), -1);
-    std::transform(in_order.begin(), others, order.begin(),
-                   [](const Placed& b) { return b.second; });
-    for (auto block = others; block != in_order.end(); ++block) order.push_back(block->second);
-    pool->reorder(order, whole_groups(touching), parts);
-    for (int part = 0; part < parts.count(); ++part)
-      for (const PlanarRange& range : {pool->touching(part), pool->others(part)})
-        for (int k = range.first; k < range.end; ++k)
-          if (heads[k].used != 0) completes(heads[k], part);
+void PlanarBlockPool::forget(int body, int place) {
+  std::vector<int>& list = of_body_[body];
+  for (int& entry : list) {
+    if (entry != place) continue;
+    entry = list.back();
+    list.pop_back();
+    return;
   }
 }
 
-/// The forces on the bodies of a block are not complete before this part.
-void PlanarScene::Data::completes(const PlanarBlockHead& head, int part) {
-  for (const int body : {head.i, head.j})
-    if (body >= 0) completed_by[parts.of(body)] = std::max(completed_by[parts.of(body)], part);
+void PlanarBlockPool::set_arguments(int part, PlanarForces& forces) {
+  forces.heads = heads_.data();
+  forces.values = all_values_.data();
+  forces.block_laws = laws_.data();
+  forces.touching = touching(part);
+  forces.others = others(part);
+  forces.rows = rows();
+  forces.newest = velocity(0, true);
+  for (int k = 0; k < std::min(slots_, max_multistep_order); ++k) forces.velocity[k] = velocity(k);
+}
+
+void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
+  const PlanarBlockHead& head = heads_[place];
+  const double* const of_lane = values(place) + lane;
+  const PlanarBlockColdData& cold = cold_[place];
+  const int bit = 1 << lane;
+  state.i = head.i;
+  state.j = head.j;
+  state.sphere_i = cold.sphere_i[lane];
+  state.sphere_j = cold.sphere_j[lane];
+  state.full_history = (head.full_history & bit) != 0;
+  PlanarHistory& history = state.history;
+  history.sliding = (head.sliding & bit) != 0;
+  history.just_touched = cold.just_touched[lane];
+  history.known = cold.known[lane];
+  history.spring = of_lane[planar_spring];
+  for (int k = 0; k < max_multistep_order; ++k)
+    history.velocity[k] = k < slots_ ? of_lane[velocity(k)] : 0.0;
+  history.viscoelastic = of_lane[planar_viscoelastic];
+  history.touch_rate = cold.touch_rate[lane];
+  history.since = cold.since[lane];
+}
+
+void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state, bool turned) {
+  PlanarBlockHead& head = heads_[place];
+  double* const of_lane = values(place) + lane;
+  PlanarBlockColdData& cold = cold_[place];
+  const auto set = [&](std::uint8_t& bits, bool on) {
+    bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
+  };
+  const PlanarHistory& history = state.history;
+  set(head.alive, history.known != 0);
+  set(head.full_history, state.full_history);
+  set(head.sliding, history.sliding);
+  cold.just_touched[lane] = history.just_touched;
+  cold.known[lane] = static_cast<std::int8_t>(history.known);
+  cold.touch_rate[lane] = history.touch_rate;
+  cold.since[lane] = history.since;
+  of_lane[planar_spring] = history.spring;
+  for (int k = 0; k < slots_; ++k) of_lane[velocity(k, turned)] = history.velocity[k];
+  of_lane[planar_viscoelastic] = history.viscoelastic;
+}
+
+bool PlanarBlocks::restore(const PlanarLaneState& contact) {
+  PlanarBlockPool& pool = of(contact.j);
+  const std::pair<int, int> at =
+      pool.find(contact.i, contact.sphere_i, contact.j, contact.sphere_j);
+  if (at.first < 0) return false;
+  pool.restore(at.first, at.second, contact);
+  return true;
+}
+
+void PlanarBlocks::turn(int steps) {
+  for (PlanarBlockPool* pool : {&pairs, &at_walls}) pool->turn(steps);
+}
+
+void PlanarBlocks::look_ahead(int steps) {
+  for (PlanarBlockPool* pool : {&pairs, &at_walls}) pool->look_ahead(steps);
 }
 
 }  // namespace rodpack

@@ -3,18 +3,14 @@
 #define RODPACK_PLANAR_CONTACT_H
 
 #include <cmath>
+#include <cstddef>
 
+#include "rodpack/contact/contact_motion.h"
+#include "../planar_simd/kinematics.h"
 #include "rodpack/planar/scene.h"
 #include "rodpack/geometry/vector3.h"
 
 namespace rodpack {
-
-/// A body in motion, as contacts see it; one cache line.
-struct alignas(64) PlanarFrame {
-  double x, y, cosine, sine;
-  double velocity[3];  // x, y, about z
-  double radius;       // of its spheres, m
-};
 
 /// A contact of two spheres of planar bodies, or of one with a wall: what the formulas of
 /// normal_history.h and tangential_history.h ask of a `Contact`, with z = 0.
@@ -31,45 +27,38 @@ struct PlanarContact {
   double vn, vtr1, vtr2, vtr3;
   double kn, kt, gamman, gammat;
 
-  /// Component along the tangent z x n.
-  double along_tangent(const double* vector) const { return en[0] * vector[1] - en[1] * vector[0]; }
+  Vector2<double> normal() const { return {en[0], en[1]}; }
+  double tangential_velocity() const { return cross_z<double>(normal(), {vtr1, vtr2}); }
+  /// Levers from the centres of mass to the contact.
+  Vector2<double> lever_i() const {
+    return lever_in_plane<double>({arm_i[0], arm_i[1]}, cri, normal());
+  }
+  Vector2<double> lever_j() const {
+    return lever_in_plane<double>({arm_j[0], arm_j[1]}, -crj, normal());
+  }
 };
 
 namespace detail {
 
-inline void place_sphere(const PlanarFrame& body, const double (&offset)[2], double (&arm)[3],
+inline void place_sphere(const PlanarKinematics& body, const double (&offset)[2], double (&arm)[3],
                          double (&body_v)[3], double (&v)[3], double (&omega)[3]) {
-  arm[0] = body.cosine * offset[0] - body.sine * offset[1];
-  arm[1] = body.sine * offset[0] + body.cosine * offset[1];
-  arm[2] = 0.0;
-  omega[0] = omega[1] = body_v[2] = v[2] = 0.0;
-  omega[2] = body.velocity[2];
+  const Vector2<double> to_sphere = turned<double>(body.cosine, body.sine, {offset[0], offset[1]});
+  const Vector2<double> velocity =
+      velocity_at<double>({body.velocity[0], body.velocity[1]}, body.velocity[2], to_sphere);
+  arm[0] = to_sphere.x;
+  arm[1] = to_sphere.y;
   body_v[0] = body.velocity[0];
   body_v[1] = body.velocity[1];
-  v[0] = body_v[0] - omega[2] * arm[1];
-  v[1] = body_v[1] + omega[2] * arm[0];
-}
-
-/// Overlap and velocities from delta, v and radii: LIGGGHTS's default surface model.
-inline void resolve_contact(PlanarContact& c) {
-  c.rinv = 1.0 / c.r;
-  for (int d = 0; d < 3; ++d) c.en[d] = c.delta[d] * c.rinv;
-  c.deltan = c.radsum - c.r;
-  c.cri = c.radi - 0.5 * c.deltan;
-  c.crj = c.is_wall ? 0.0 : c.radj - 0.5 * c.deltan;
-  double relative[3];
-  for (int d = 0; d < 3; ++d) relative[d] = c.v_i[d] - c.v_j[d];
-  c.vn = dot(relative, c.en);
-  const double roll = c.cri * c.omega_i[2] + c.crj * c.omega_j[2];
-  c.vtr1 = relative[0] - c.vn * c.en[0] + roll * c.en[1];
-  c.vtr2 = relative[1] - c.vn * c.en[1] - roll * c.en[0];
-  c.vtr3 = 0.0;
+  v[0] = velocity.x;
+  v[1] = velocity.y;
+  omega[2] = body.velocity[2];
+  arm[2] = omega[0] = omega[1] = body_v[2] = v[2] = 0.0;
 }
 
 }  // namespace detail
 
 /// Completes a contact of two spheres; offsets, radii, bodies and coefficients must be set.
-inline void place_pair(PlanarContact& c, const PlanarFrame& i, const PlanarFrame& j) {
+inline void place_pair(PlanarContact& c, const PlanarKinematics& i, const PlanarKinematics& j) {
   c.is_wall = false;
   detail::place_sphere(i, c.offset_i, c.arm_i, c.body_v_i, c.v_i, c.omega_i);
   detail::place_sphere(j, c.offset_j, c.arm_j, c.body_v_j, c.v_j, c.omega_j);
@@ -79,11 +68,11 @@ inline void place_pair(PlanarContact& c, const PlanarFrame& i, const PlanarFrame
   c.rsq = dot(c.delta, c.delta);
   c.radsum = c.radi + c.radj;
   c.r = std::sqrt(c.rsq);
-  detail::resolve_contact(c);
+  complete_contact(c);
 }
 
 /// Completes a contact of a sphere with a wall. The distance is negative behind a solid one.
-inline void place_wall(PlanarContact& c, const PlanarFrame& i, const PlanarWall& wall) {
+inline void place_wall(PlanarContact& c, const PlanarKinematics& i, const PlanarWall& wall) {
   c.is_wall = true;
   c.body_j = -1;
   detail::place_sphere(i, c.offset_i, c.arm_i, c.body_v_i, c.v_i, c.omega_i);
@@ -95,7 +84,7 @@ inline void place_wall(PlanarContact& c, const PlanarFrame& i, const PlanarWall&
   c.rsq = c.r * c.r;
   c.radj = 0.0;
   c.radsum = c.radi;
-  detail::resolve_contact(c);
+  complete_contact(c);
 }
 
 }  // namespace rodpack

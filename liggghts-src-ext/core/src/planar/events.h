@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "rodpack/contact/contact_motion.h"
-#include "rodpack/contact/force_change.h"
+#include "rodpack/contact/event_correction.h"
 #include "blocks.h"
 #include "contact.h"
 #include "rodpack/planar/scene.h"
@@ -18,7 +17,7 @@ class PlanarEvents {
  public:
   struct Changes {
     int body;
-    ForceChange force, torque;  // torque about the centre of mass
+    BodyChange sum;
     bool jumps;
   };
 
@@ -31,40 +30,33 @@ class PlanarEvents {
     motions_.resize(bodies);
   }
 
-  void add(const PlanarContact& contact, const double (&now)[3], const double (&rate)[3],
-           double since, bool jumps) {
-    double turning[3];
-    rate_in_space(contact, now, rate, turning);
-    add(contact, linear_change(now, turning, since), jumps);
-  }
-
   void add(const PlanarContact& contact, const ForceChange& on_i, bool jumps) {
-    double turn[3];
-    normal_turning_rate(contact, turn);
-    add_to(contact, turn, contact.body_i, 1.0, contact.cri, contact.arm_i, contact.v_i,
-           contact.body_v_i, on_i, jumps);
-    if (!contact.is_wall)
-      add_to(contact, turn, contact.body_j, -1.0, contact.crj, contact.arm_j, contact.v_j,
-             contact.body_v_j, on_i, jumps);
+    share_change(contact, on_i,
+                 [&](int side, const ForceChange& force, double(&lever)[3], double(&rate)[3]) {
+                   if (side > 0)
+                     add_to(contact.body_i, contact.arm_i, contact.v_i, contact.body_v_i, force,
+                            lever, rate, jumps);
+                   else
+                     add_to(contact.body_j, contact.arm_j, contact.v_j, contact.body_v_j, force,
+                            lever, rate, jumps);
+                 });
   }
 
-  bool motion_changed(const PlanarContact& contact, MotionChange& change) const {
+  bool motion_changed(const PlanarContact& contact, ContactJump& jump) const {
     const bool of_i = jumped_[contact.body_i] != 0;
     const bool of_j = !contact.is_wall && jumped_[contact.body_j] != 0;
     if (!of_i && !of_j) return false;
-    change = MotionChange();
-    if (of_i)
-      add_motion(contact, motions_[contact.body_i], 1.0, contact.cri, contact.offset_i, change);
-    if (of_j)
-      add_motion(contact, motions_[contact.body_j], -1.0, contact.crj, contact.offset_j, change);
+    jump = ContactJump();
+    if (of_i) add_jump(contact, 1.0, motions_[contact.body_i], contact.offset_i, jump);
+    if (of_j) add_jump(contact, -1.0, motions_[contact.body_j], contact.offset_j, jump);
     return true;
   }
 
   /// For each body; null: none of them has.
   const char* jumped() const { return jumps_ == 0 ? nullptr : jumped_.data(); }
   bool jumped(int body) const { return jumped_[body] != 0; }
-  const PlanarMotionChange& motion(int body) const { return motions_[body]; }
-  void set_jumped(int body, const PlanarMotionChange& motion) {
+  const PlanarJump& motion(int body) const { return motions_[body]; }
+  void set_jumped(int body, const PlanarJump& motion) {
     if (!jumped_[body]) {
       jumped_bodies_[parts_.of(body)].push_back(body);
       ++jumps_;
@@ -88,14 +80,9 @@ class PlanarEvents {
   }
 
  private:
-  void add_to(const PlanarContact& contact, const double (&turn)[3], int body, double sign,
-              double length, const double (&arm)[3], const double (&v)[3],
-              const double (&body_v)[3], const ForceChange& on_i, bool jumps) {
-    ForceChange force = on_i;
-    force *= sign;
-    double lever[3], rate[3];
-    // the lever of i points against the force that pushes i away, that of j too
-    contact_lever(contact, turn, length, -sign, lever, rate);
+  /// `lever` leads from the centre of the sphere, `arm` there from that of the body.
+  void add_to(int body, const double (&arm)[3], const double (&v)[3], const double (&body_v)[3],
+              const ForceChange& force, double (&lever)[3], double (&rate)[3], bool jumps) {
     for (int d = 0; d < 3; ++d) {
       lever[d] += arm[d];
       rate[d] += v[d] - body_v[d];
@@ -103,28 +90,12 @@ class PlanarEvents {
     std::vector<Changes>& of_part = changes_[parts_.of(body)];
     if (place_[body] < 0) {
       place_[body] = static_cast<int>(of_part.size());
-      of_part.push_back(Changes{body, ForceChange(), ForceChange(), false});
+      of_part.push_back(Changes{body, BodyChange(), false});
     }
-    Changes& sum = of_part[place_[body]];
-    sum.force += force;
-    add_planar_torque_change(lever, rate, force, sum.torque);
-    sum.jumps = sum.jumps || jumps;
-  }
-
-  static void add_motion(const PlanarContact& contact, const PlanarMotionChange& motion,
-                         double sign, double length, const double (&offset)[2],
-                         MotionChange& change) {
-    const double arm_x = motion.cosine * offset[0] - motion.sine * offset[1];
-    const double arm_y = motion.sine * offset[0] + motion.cosine * offset[1];
-    const double lever_x = arm_x - sign * length * contact.en[0];
-    const double lever_y = arm_y - sign * length * contact.en[1];
-    const auto surface = [&](const double(&of_body)[3], double(&sum)[3]) {
-      sum[0] += sign * (of_body[0] - of_body[2] * lever_y);
-      sum[1] += sign * (of_body[1] + of_body[2] * lever_x);
-    };
-    surface(motion.acceleration, change.acceleration);
-    surface(motion.velocity, change.velocity);
-    surface(motion.displacement, change.displacement);
+    Changes& change = of_part[place_[body]];
+    change.sum.force += force;
+    change.sum.torque += planar_torque_change(lever, rate, force);
+    change.jumps = change.jumps || jumps;
   }
 
   PlanarParts parts_;
@@ -133,7 +104,7 @@ class PlanarEvents {
   std::vector<char> jumped_;
   std::vector<std::vector<int>> jumped_bodies_;
   int jumps_ = 0;
-  std::vector<PlanarMotionChange> motions_;
+  std::vector<PlanarJump> motions_;
 };
 
 }  // namespace rodpack

@@ -2,79 +2,94 @@
 #ifndef RODPACK_PLANAR_HALO_H
 #define RODPACK_PLANAR_HALO_H
 
-#include <unordered_map>
 #include <vector>
 
 #include "rodpack/planar/ranks.h"
-#include "scene_data.h"
+#include "rodpack/planar/scene.h"
 
 namespace rodpack {
 
-/// Keeps copies of other ranks' bodies behind the own ones of a scene, its ghosts: all that an own
-/// body may touch before they are chosen anew. A contact with a ghost is evaluated on both ranks,
-/// from the same numbers in the same order, so that its history is the same on both.
+class PlanarBodies;
+class PlanarDependencies;
+class PlanarEvents;
+class PlanarGhosts;
+
+/// Keeps ghosts, copies of other ranks' bodies, behind the bodies of a rank: all that an own body
+/// may touch before ghosts are chosen anew. A contact with a ghost is evaluated on both ranks, from
+/// the same numbers in the same order, so that its history is the same on both.
 ///
 /// Ghosts are chosen by the box around the own bodies, widened by the reach of both bodies and by
-/// the way that two of them may go meanwhile. When somebody has gone most of that way, all ranks
-/// choose anew. That is asked after as many steps as the fastest point of all bodies needs at
-/// least, at twice its speed.
+/// the distance that two of them may go meanwhile. When somebody has gone most of that distance,
+/// all ranks choose anew. That is asked after as many steps as the fastest point of all bodies
+/// needs at least, at twice its speed.
 class PlanarHalo {
  public:
-  /// Collective; chooses the ghosts.
-  PlanarHalo(PlanarRanks& ranks, PlanarScene::Data& scene);
+  /// Collective, as renew() and update() are. All that is given has to outlive it.
+  /// @param longest_reach  of the bodies of all ranks, m
+  PlanarHalo(PlanarRanks& ranks, const PlanarSettings& settings, double longest_reach,
+             const PlanarBodies& bodies, const PlanarEvents& events, PlanarGhosts& ghosts);
 
-  /// After the integration: brings ghosts to this step, and lists those that have moved.
+  /// Chooses the ghosts, and brings all of them to this step; once before the first update().
+  /// Ghosts that have to be listed anew are appended to `to_list`.
+  void renew(std::vector<int>& to_list);
+
+  /// After the bodies have moved: brings ghosts to this step, or chooses them anew, and returns
+  /// whether it did. Ghosts that have to be listed anew are appended to `to_list`.
   /// @throws std::runtime_error naming a body that went farther than it could have been followed
-  void update(PlanarScene::Data& scene);
+  bool update(std::vector<int>& to_list);
 
-  /// Updates before the next one that may choose the ghosts anew: where all bodies have to be at
-  /// the same step. The same on all ranks.
+  /// The number of updates before the next one that may choose the ghosts anew, for which all
+  /// bodies have to be at the same step. The same on all ranks.
   int quiet_updates() const { return patience_ > 1 ? patience_ - 1 : 0; }
 
-  /// Lets the parts of the own bodies that are sent wait for the last one, in which they are.
-  void hold_back_sent(PlanarScene::Data& scene) const;
+  /// Lets the parts of the own bodies that are sent wait for the last part, with which they are.
+  void hold_back_sent(PlanarDependencies& dependencies) const;
 
-  /// Whether no contact can have been missed so far; not collective.
-  /// @throws as update()
-  void check(const PlanarScene::Data& scene) const { checked_way(scene); }
+  /// Throws as update() if a contact may have been missed so far; not collective.
+  void check() const { checked_distance(); }
 
-  /// Whether a body has gone nearly settings.farthest since the scene began.
+  /// Whether a body has gone nearly as far as settings.farthest since the scene began.
   bool far_away() const { return far_away_; }
 
+  /// The number of ghosts that were brought to a step, in all.
+  long ghosts_brought() const { return ghosts_brought_; }
+  /// The bytes that were sent for that, in all.
+  long bytes_sent() const { return bytes_sent_; }
+
  private:
-  struct Place {
+  struct Pose {
     double x, y, cosine, sine;
   };
-  /// What is sent to a rank and what comes from it: own bodies, ghosts.
+  /// The own bodies that are sent to a rank, and the ghosts that come from it.
   struct Partner {
     std::vector<int> sent, received;
   };
 
-  double checked_way(const PlanarScene::Data& scene) const;
-  bool ask(const PlanarScene::Data& scene);
-  double room(const PlanarScene::Data& scene, int body) const;
-  void renew(PlanarScene::Data& scene);
-  std::vector<std::vector<double>> choose(PlanarScene::Data& scene,
-                                          std::vector<std::vector<int>>& chosen);
-  void receive(PlanarScene::Data& scene, const std::vector<std::vector<double>>& records);
-  void drop(PlanarScene::Data& scene, int ghost);
-  int place_for_ghost(PlanarScene::Data& scene);
+  std::vector<Pose> own_poses() const;
+  double checked_distance() const;
+  bool ask();
+  double room(int body) const;
+  std::vector<std::vector<double>> choose(std::vector<std::vector<int>>& chosen) const;
+  std::vector<std::vector<int>> receive(const std::vector<std::vector<double>>& messages,
+                                        std::vector<int>& to_list);
   void connect(const std::vector<std::vector<int>>& chosen,
                const std::vector<std::vector<int>>& ghosts);
-  void pack(const PlanarScene::Data& scene, const Partner& partner, PlanarLink& link) const;
-  void unpack(PlanarScene::Data& scene, const Partner& partner, const PlanarLink& link) const;
-  void list_if_moved(PlanarScene::Data& scene, int ghost) const;
+  void pack(const Partner& partner, PlanarLink& link) const;
+  void unpack(const Partner& partner, const PlanarLink& link, std::vector<int>& to_list);
 
   PlanarRanks& ranks_;
-  double way_;        // that each body may go before ghosts are chosen anew, m
-  int patience_ = 0;  // steps until the next question
-  bool is_limited_;   // bodies may not go anywhere
+  const PlanarSettings& settings_;
+  const PlanarBodies& bodies_;
+  const PlanarEvents& events_;
+  PlanarGhosts& ghosts_;
+  const double reserve_;   // distance that each body may go before ghosts are chosen anew, m
+  const bool is_limited_;  // bodies may not go anywhere
+  int patience_ = 0;       // steps until the next question
   bool far_away_ = false;
-  std::vector<Place> renewed_, begun_;  // own bodies when ghosts were chosen, and at first
+  std::vector<Pose> begun_, chosen_at_;  // of own bodies at first, and when ghosts were chosen
   std::vector<PlanarLink> links_;
   std::vector<Partner> partners_;  // of each link
-  std::unordered_map<int, int> ghost_of_tag_;
-  std::vector<int> unused_;  // places of ghosts
+  long ghosts_brought_ = 0, bytes_sent_ = 0;
 };
 
 }  // namespace rodpack

@@ -2,14 +2,17 @@
 #include "rodpack/planar/scene.h"
 
 #include <algorithm>
-#include <bitset>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "blocks.h"
+#include "bodies.h"
+#include "events.h"
+#include "force_evaluator.h"
+#include "ghosts.h"
 #include "halo.h"
-#include "scene_data.h"
+#include "neighbours.h"
+#include "pipeline.h"
 
 namespace rodpack {
 
@@ -18,6 +21,9 @@ namespace {
 // So few that they and their blocks stay in the cache for some steps, so many that parts cost
 // little.
 const int bodies_in_part = 256;
+
+// A multiple of most_steps_in_pass: no pass goes on over the step in which blocks are sorted.
+const int steps_between_sorts = 256;
 
 void require(bool holds, const std::string& name, double value, const char* expected) {
   if (!holds)
@@ -56,263 +62,234 @@ void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
   }
 }
 
-}  // namespace
-
-PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBody>& bodies)
-    : settings(given),
-      slots(std::max(given.order, given.remembered)),
-      parts{static_cast<int>(bodies.size()), bodies_in_part},
-      completed_by(parts.count()),
-      kernel(planar_kernel(given.instructions)),
-      missed(parts.count()),
-      newborn(parts.count()),
-      pairs(static_cast<int>(bodies.size()), slots, 0),
-      at_walls(static_cast<int>(bodies.size()), slots, -1),
-      events(parts),
-      follows(given.events && given.order > 1) {
-  const std::size_t count = bodies.size();
-  owned = static_cast<int>(count);
-  resize(owned);
-  for (auto* vectors : {&inertia, &missed_displacement, &missed_velocity})
-    vectors->assign(count, PlanarVector());
-  for (int k = 0; k < settings.order - 1; ++k) {
-    past_velocity[k].assign(count, PlanarVector());
-    past_acceleration[k].assign(count, PlanarVector());
-  }
-  for (const PlanarWall& wall : settings.walls)
-    wall_lines.push_back({wall.axis == 0 ? 1.0 : 0.0, wall.axis == 1 ? 1.0 : 0.0, wall.position,
-                          static_cast<double>(wall.free_side)});
-  for (const PlanarLaw& law : settings.laws)
-    laws.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
-  evaluations.resize(count);
-  for (std::size_t b = 0; b < count; ++b) {
-    const PlanarBody& body = bodies[b];
-    PlanarBodyInfo& of = info[b];
-    tags[b] = body.tag < 0 ? static_cast<int>(b) : body.tag;
-    of.type = body.type;
-    of.mass = body.mass;
-    of.moment = body.moment;
-    of.radius = body.radius;
-    of.first = static_cast<int>(spheres.size());
-    of.count = static_cast<int>(body.spheres.size());
-    spheres.insert(spheres.end(), body.spheres.begin(), body.spheres.end());
-    set_reach(static_cast<int>(b));
-    longest = std::max(longest, listed[b].reach);
-    frames[b] = {body.position[0],
-                 body.position[1],
-                 body.cosine,
-                 body.sine,
-                 {body.velocity[0], body.velocity[1], body.velocity[2]},
-                 body.radius};
-    evaluations[b] = static_cast<std::int8_t>(std::min(body.evaluations, settings.order + 1));
-    for (int d = 0; d < 3; ++d) {
-      loads[b].d[d] = body.load[d];
-      inertia[b].d[d] = 1.0 / (d < 2 ? body.mass : body.moment);
-      missed_displacement[b].d[d] = body.missed_displacement[d];
-      missed_velocity[b].d[d] = body.missed_velocity[d];
-    }
-    inertia[b].d[3] = body.mass;
-    const int part = parts.of(static_cast<int>(b));
-    missed[part].push_back(static_cast<int>(b));
-    if (body.evaluations == 0) newborn[part].push_back(static_cast<int>(b));
-    for (int k = 0; k < settings.order - 1; ++k) {
-      const PlanarRates& past = body.past[k];
-      past_velocity[k][b] = {{past.velocity[0], past.velocity[1], past.angular_velocity, 0.0}};
-      past_acceleration[k][b] = {
-          {past.acceleration[0], past.acceleration[1], past.angular_acceleration, 0.0}};
-    }
-    if (body.jumped) events.set_jumped(static_cast<int>(b), body.change);
-  }
-}
-
-PlanarScene::Data::~Data() = default;
-
-/// Room for what forces need of a body; ghosts are not integrated.
-void PlanarScene::Data::resize(int bodies) {
-  frames.resize(bodies);
-  loads.resize(bodies, PlanarVector());
-  info.resize(bodies, PlanarBodyInfo());
-  listed.resize(bodies, PlanarListed());
-  const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
-  PlanarListedLanes nobody = PlanarListedLanes();
-  std::fill_n(nobody.skin, body_lanes, std::numeric_limits<double>::infinity());
-  listed_lanes.resize(registers, nobody);
-  moved.resize(registers * body_lanes);
-  tags.resize(bodies, -1);
-  pairs.resize(bodies);
-  at_walls.resize(bodies);
-  events.resize(bodies);
-}
-
-void PlanarScene::Data::set_reach(int body) {
-  const PlanarBodyInfo& of = info[body];
-  double& reach = listed[body].reach;
-  reach = 0.0;
-  for (int k = of.first; k < of.first + of.count; ++k)
-    reach = std::max(reach, std::hypot(spheres[k].x, spheres[k].y) + of.radius);
-}
-
-PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
-                         PlanarRanks* ranks) {
-  validate(settings, bodies);
-  data_.reset(new Data(settings, bodies));
-  if (!ranks || ranks->count() == 1) return;
+/// On several ranks bodies are known by their tags.
+void validate_tags(const std::vector<PlanarBody>& bodies) {
   std::vector<int> tags;
   for (const PlanarBody& body : bodies) tags.push_back(body.tag);
   std::sort(tags.begin(), tags.end());
   for (std::size_t k = 0; k < tags.size(); ++k)
     require(tags[k] > (k == 0 ? -1 : tags[k - 1]), "tag of a body", tags[k],
             "tags >= 0, each once");
-  data_->halo.reset(new PlanarHalo(*ranks, *data_));
+}
+
+/// The state of a lane in which i and j change places if `swapped`; components along z x n stay.
+PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, int full_count) {
+  PlanarLaneState state = PlanarLaneState();
+  state.i = swapped ? contact.body_j : contact.body_i;
+  state.j = swapped ? contact.body_i : contact.body_j;
+  state.sphere_i = static_cast<std::uint16_t>(swapped ? contact.sphere_j : contact.sphere_i);
+  state.sphere_j = static_cast<std::uint16_t>(swapped ? contact.sphere_i : contact.sphere_j);
+  state.history = contact.history;
+  state.history.known = std::min(contact.history.known, full_count);
+  state.full_history = state.history.known == full_count;
+  return state;
+}
+
+}  // namespace
+
+/// The parts of the engine, and what they do one after the other in a step.
+struct PlanarScene::Data : private PlanarPartStep {
+  Data(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies, PlanarRanks* ranks);
+
+  /// Makes the first lists, if there are none yet.
+  void make_lists();
+  void evaluate_all();
+  /// Makes up to `most` steps in one pass over the bodies; returns how many.
+  int pass(long most);
+  void sort_blocks();
+  Statistics statistics() const;
+
+  const PlanarSettings settings;
+  const PlanarParts parts;
+  const PlanarKernel kernel;
+  PlanarBodies bodies;
+  PlanarBlocks blocks;
+  PlanarEvents events;
+  PlanarDependencies dependencies;
+  PlanarNeighbours neighbours;
+  PlanarForceEvaluator forces;
+  PlanarGhosts ghosts;
+  std::unique_ptr<PlanarHalo> halo;
+  long steps = 0;  // made so far, but for those of a pass that is under way
+
+ private:
+  bool move(int step, int part) override;
+  void evaluate(int step, int part) override;
+  void correct_for_events(int step, int part);
+
+  PlanarPipeline pipeline_;
+  int steps_of_pass_ = 1;
+  std::vector<int> to_list_[most_steps_in_pass];  // bodies to be listed anew, by step of the pass
+};
+
+PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBody>& all,
+                        PlanarRanks* ranks)
+    : settings(given),
+      parts{static_cast<int>(all.size()), bodies_in_part},
+      kernel(planar_kernel(given.instructions)),
+      bodies(settings, parts, all),
+      blocks(bodies.size(), std::max(given.order, given.remembered)),
+      events(parts),
+      dependencies(parts),
+      neighbours(settings, bodies, parts, blocks, dependencies),
+      forces(settings, kernel, bodies, neighbours, blocks, events),
+      ghosts(bodies, neighbours, events),
+      pipeline_(parts, dependencies) {
+  events.resize(bodies.size());
+  for (std::size_t b = 0; b < all.size(); ++b)
+    if (all[b].jumped) events.set_jumped(static_cast<int>(b), all[b].change);
+  double longest_reach = bodies.longest_reach();
+  if (ranks) ranks->largest(&longest_reach, 1);
+  neighbours.set_longest_reach(longest_reach);
+  if (!ranks) return;
+  halo.reset(new PlanarHalo(*ranks, settings, longest_reach, bodies, events, ghosts));
+  halo->renew(to_list_[0]);
+  halo->hold_back_sent(dependencies);
+}
+
+void PlanarScene::Data::make_lists() {
+  if (neighbours.exist()) return;
+  neighbours.list_all();
+  sort_blocks();
+}
+
+void PlanarScene::Data::sort_blocks() {
+  neighbours.renew_steps_within_skins();
+  dependencies.clear();
+  if (halo) halo->hold_back_sent(dependencies);
+  blocks.sort(parts, dependencies);
+}
+
+void PlanarScene::Data::evaluate_all() {
+  make_lists();
+  bodies.begin_loads();
+  for (int part = 0; part < parts.count(); ++part) forces.evaluate(part, steps);
+  // No step has gone by that could have missed something.
+  for (int part = 0; part < parts.count(); ++part) events.forget_changes(part);
+  blocks.turn(1);
+}
+
+int PlanarScene::Data::pass(long most) {
+  // Passes end at multiples of their largest length, so that blocks are sorted at the same steps,
+  // however many are asked for at a time.
+  long steps_of_pass = most_steps_in_pass - steps % most_steps_in_pass;
+  steps_of_pass = std::min(steps_of_pass, static_cast<long>(neighbours.steps_within_skins()));
+  if (halo)
+    steps_of_pass = std::min(steps_of_pass, std::max(1L, static_cast<long>(halo->quiet_updates())));
+  steps_of_pass_ = static_cast<int>(std::min(steps_of_pass, most));
+  if (steps % steps_between_sorts == steps_between_sorts / 2) sort_blocks();
+  pipeline_.run(steps_of_pass_, *this);
+  blocks.turn(steps_of_pass_);
+  for (int part = 0; part < parts.count(); ++part) correct_for_events(steps_of_pass_, part);
+  steps += steps_of_pass_;
+  return steps_of_pass_;
+}
+
+// A part of the bodies goes through a step of a pass as follows: it is corrected for the events of
+// the last step, its bodies move, those that have left their skins are listed anew, and the contact
+// forces are evaluated.
+
+bool PlanarScene::Data::move(int step, int part) {
+  if (step > 0) correct_for_events(step, part);
+  std::vector<int>& to_list = to_list_[step];
+  if (part == parts.last()) {
+    if (halo && halo->update(to_list)) halo->hold_back_sent(dependencies);
+    return false;
+  }
+  bodies.prepare(part, steps + step);
+  PlanarAdvance arguments = PlanarAdvance();
+  bodies.set_arguments(part, steps + step, arguments);
+  neighbours.set_arguments(steps_of_pass_ - 1 - step, arguments);
+  to_list.resize(arguments.bodies.end - arguments.bodies.first);
+  arguments.to_list = to_list.data();
+  to_list.resize(kernel.advance(arguments));
+  return !to_list.empty();
+}
+
+void PlanarScene::Data::evaluate(int step, int part) {
+  blocks.look_ahead(step);
+  neighbours.list_anew(to_list_[step]);
+  to_list_[step].clear();
+  forces.evaluate(part, steps + step + 1);
+}
+
+void PlanarScene::Data::correct_for_events(int step, int part) {
+  if (forces.follows_events()) bodies.apply_events(part, steps + step, events);
+}
+
+PlanarScene::Statistics PlanarScene::Data::statistics() const {
+  return {steps,
+          neighbours.listings(),
+          forces.general_contacts(),
+          halo ? halo->ghosts_brought() : 0,
+          halo ? halo->bytes_sent() : 0,
+          blocks.pairs.filled() + blocks.at_walls.filled()};
+}
+
+PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
+                         PlanarRanks* ranks) {
+  validate(settings, bodies);
+  const bool several = ranks && ranks->count() > 1;
+  if (several) validate_tags(bodies);
+  data_.reset(new Data(settings, bodies, several ? ranks : nullptr));
 }
 
 PlanarScene::~PlanarScene() = default;
 
-void PlanarScene::evaluate() {
-  Data& d = *data_;
-  d.make_lists();
-  d.begin_forces();
-  for (int part = 0; part < d.parts.count(); ++part) d.evaluate_forces(part);
-  // No step has gone by that could have missed something.
-  for (int part = 0; part < d.parts.count(); ++part) d.events.forget_changes(part);
-  for (PlanarBlockPool* pool : {&d.pairs, &d.at_walls}) pool->turn(1);
-}
+void PlanarScene::evaluate() { data_->evaluate_all(); }
 
 long PlanarScene::run(long steps) {
   Data& d = *data_;
   d.make_lists();
   long step = 0;
-  while (step < steps && !(d.halo && d.halo->far_away())) {
-    long sweep = steps_in_sweep - d.statistics.steps % steps_in_sweep;
-    sweep = std::min(sweep, static_cast<long>(d.longest_sweep));
-    if (d.halo) sweep = std::min(sweep, std::max(1L, static_cast<long>(d.halo->quiet_updates())));
-    sweep = std::min(sweep, steps - step);
-    d.sweep(static_cast<int>(sweep));
-    step += sweep;
-  }
-  if (d.halo) d.halo->check(d);
+  while (step < steps && !(d.halo && d.halo->far_away())) step += d.pass(steps - step);
+  if (d.halo) d.halo->check();
   return step;
 }
 
 void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) {
   Data& d = *data_;
-  if (!d.lists_exist) d.list_all();
+  if (!d.neighbours.exist()) d.neighbours.list_all();
   for (const PlanarContactState& contact : contacts) {
-    Data::Saved saved = Data::Saved();
-    const bool swapped = contact.body_j >= 0 && !d.comes_first(contact.body_i, contact.body_j);
-    saved.i = swapped ? contact.body_j : contact.body_i;
-    saved.j = swapped ? contact.body_i : contact.body_j;
-    const int sphere_i = swapped ? contact.sphere_j : contact.sphere_i;
-    const int sphere_j = swapped ? contact.sphere_i : contact.sphere_j;
-    saved.sliding = contact.count < 0;
-    saved.count = static_cast<std::int8_t>(std::min(std::abs(contact.count), d.full_count()));
-    saved.mature = saved.count == d.full_count();
-    saved.fresh = contact.fresh;
-    // Along z x n the components stay as they are when i and j change places.
-    saved.spring = contact.spring;
-    std::copy(contact.velocity, contact.velocity + max_multistep_order, saved.velocity);
-    saved.uncut = contact.uncut;
-    saved.touch_rate = contact.touch_rate;
-    saved.since = contact.since;
-    PlanarBlockPool& pool = saved.j < 0 ? d.at_walls : d.pairs;
-    bool found = false;
-    for (int place : pool.of_body(saved.i)) {
-      const PlanarBlockHead& head = pool.heads[place];
-      if (head.i != saved.i || head.j != saved.j) continue;
-      const PlanarBlockBirth& birth = pool.births[place];
-      for (int lane = 0; lane < planar_lanes; ++lane) {
-        if (!(head.used & 1 << lane)) continue;
-        if (birth.sphere_i[lane] != sphere_i || birth.sphere_j[lane] != sphere_j) continue;
-        restore_lane(pool, place, lane, saved);
-        found = true;
-      }
-    }
-    require(found, "contact of bodies", contact.body_i, "spheres that are close");
+    const bool swapped =
+        contact.body_j >= 0 && !d.bodies.comes_first(contact.body_i, contact.body_j);
+    require(d.blocks.restore(lane_state_of(contact, swapped, d.forces.full_count())),
+            "contact of bodies", contact.body_i, "spheres that are close");
   }
   d.sort_blocks();
 }
 
 std::vector<PlanarContactState> PlanarScene::contacts() const {
   std::size_t count = 0;
-  for (const PlanarBlockPool* pool : {&data_->pairs, &data_->at_walls})
-    for (const PlanarBlockHead& head : pool->heads) count += std::bitset<8>(head.alive).count();
+  for (const PlanarBlockPool* pool : {&data_->blocks.pairs, &data_->blocks.at_walls})
+    count += pool->contacts();
   std::vector<PlanarContactState> result;
   result.reserve(count);
-  for (const PlanarBlockPool* pool : {&data_->pairs, &data_->at_walls})
+  for (const PlanarBlockPool* pool : {&data_->blocks.pairs, &data_->blocks.at_walls})
     for (int place = 0; place < pool->size(); ++place)
-      for (int lane = 0; lane < planar_lanes; ++lane) {
-        if (!(pool->heads[place].alive & 1 << lane)) continue;
-        Data::Saved saved;
-        save_lane(*pool, place, lane, saved);
-        PlanarContactState state;
-        state.body_i = saved.i;
-        state.sphere_i = saved.sphere_i;
-        state.body_j = saved.j;
-        state.sphere_j = saved.sphere_j;
-        state.spring = saved.spring;
-        std::copy(saved.velocity, saved.velocity + max_multistep_order, state.velocity);
-        state.count = saved.sliding ? -saved.count : saved.count;
-        state.since = saved.since;
-        state.uncut = saved.uncut;
-        state.touch_rate = saved.touch_rate;
-        state.fresh = saved.fresh;
-        PlanarContact contact;
-        data_->place_lane(*pool, place, lane, contact);
-        state.constants[0] = data_->laws[pool->laws[place]].friction;
-        state.constants[1] = contact.kt;
-        state.constants[2] = contact.gammat;
-        std::copy(contact.en, contact.en + 2, state.normal);
-        result.push_back(state);
-      }
+      for (int lane = 0; lane < planar_lanes; ++lane)
+        if (pool->head(place).alive & 1 << lane)
+          result.push_back(data_->forces.contact_state(*pool, place, lane));
   return result;
 }
 
-int PlanarScene::size() const { return data_->owned; }
+int PlanarScene::size() const { return data_->bodies.owned(); }
 
-int PlanarScene::size_with_ghosts() const { return static_cast<int>(data_->info.size()); }
+int PlanarScene::size_with_ghosts() const { return data_->bodies.size(); }
 
-int PlanarScene::spheres(int body) const { return data_->info[body].count; }
+int PlanarScene::spheres(int body) const { return data_->bodies.info(body).count; }
 
 int PlanarScene::sphere_tag(int body, int sphere) const {
-  return data_->spheres[data_->info[body].first + sphere].tag;
+  return data_->bodies.spheres(body)[sphere].tag;
 }
 
 PlanarBody PlanarScene::body(int index) const {
-  const Data& d = *data_;
-  const PlanarBodyInfo& info = d.info[index];
-  const PlanarFrame& frame = d.frames[index];
-  PlanarBody body;
-  body.tag = d.tags[index];
-  body.type = info.type;
-  body.mass = info.mass;
-  body.moment = info.moment;
-  body.radius = info.radius;
-  body.spheres.assign(d.spheres.begin() + info.first, d.spheres.begin() + info.first + info.count);
-  body.position[0] = frame.x;
-  body.position[1] = frame.y;
-  body.cosine = frame.cosine;
-  body.sine = frame.sine;
-  body.evaluations = d.evaluations[index];
-  for (int k = 0; k < 3; ++k) {
-    body.velocity[k] = frame.velocity[k];
-    body.load[k] = d.loads[index].d[k];
-    body.missed_displacement[k] = d.missed_displacement[index].d[k];
-    body.missed_velocity[k] = d.missed_velocity[index].d[k];
-  }
-  for (int k = 0; k < d.settings.order - 1; ++k) {
-    const double* v = d.past_velocity[d.past(k)][index].d;
-    const double* a = d.past_acceleration[d.past(k)][index].d;
-    body.past[k] = {{v[0], v[1]}, v[2], {a[0], a[1]}, a[2]};
-  }
-  body.jumped = d.events.jumped(index);
-  if (body.jumped) body.change = d.events.motion(index);
+  PlanarBody body = data_->bodies.state(index, data_->steps);
+  body.jumped = data_->events.jumped(index);
+  if (body.jumped) body.change = data_->events.motion(index);
   return body;
 }
 
-PlanarScene::Statistics PlanarScene::statistics() const {
-  Statistics result = data_->statistics;
-  result.blocks = data_->pairs.filled() + data_->at_walls.filled();
-  return result;
-}
+PlanarScene::Statistics PlanarScene::statistics() const { return data_->statistics(); }
 
 }  // namespace rodpack

@@ -9,6 +9,20 @@ namespace rodpack {
 // Linear spring-dashpot contact of Lu et al., Granular Matter 18:34 (2016), section 2. Header-only
 // because it runs once per contact and step. Arguments are not checked.
 
+/// One contact as a register of one lane, for the formulas that registers of more share.
+inline bool lane_less(double a, double b) { return a < b; }
+/// a where the mask is true, else b.
+template <class Value>
+inline Value lane_choice(bool mask, Value a, Value b) {
+  return mask ? a : b;
+}
+struct OneContact {
+  typedef double Real;
+  typedef bool Mask;
+};
+
+#include "contact_formulas.h"
+
 /// Dashpot constant c = 2 eta sqrt(m_ij k_ij), kg/s, from the damping ratio eta (1: critical), the
 /// effective mass (kg; for a wall the particle's own mass) and the contact stiffness (N/m).
 inline double damping_coefficient(double damping_ratio, double effective_mass, double stiffness) {
@@ -16,17 +30,17 @@ inline double damping_coefficient(double damping_ratio, double effective_mass, d
 }
 
 struct NormalForce {
-  double total;    // repulsive force, never negative, N
-  double elastic;  // spring part alone, which the Coulomb cap uses, N
+  double total;         // repulsive force, never negative, N
+  double elastic;       // spring part alone, which the Coulomb cap uses, N
+  double viscoelastic;  // spring and dashpot, before the force is cut off at 0, N
 };
 
 /// Normal force max(0, k delta - c v): `stiffness` k in N/m, `damping` c in kg/s, `overlap` delta
 /// in m (positive in contact), `separation_velocity` v in m/s (positive when separating).
 inline NormalForce normal_force(double stiffness, double damping, double overlap,
                                 double separation_velocity) {
-  const double elastic = stiffness * overlap;
-  const double total = elastic - damping * separation_velocity;
-  return {total > 0.0 ? total : 0.0, elastic};
+  const double whole = viscoelastic_force(stiffness, overlap, damping, separation_velocity);
+  return {whole > 0.0 ? whole : 0.0, stiffness * overlap, whole};
 }
 
 /// Tangential force -(k s + c v) on particle i, N, limited to the magnitude `cap` = mu * elastic
@@ -38,7 +52,7 @@ inline bool tangential_force(double stiffness, double damping, double cap, doubl
                              const double (&velocity)[D], double (&force)[D]) {
   double squared = 0.0;
   for (int d = 0; d < D; ++d) {
-    force[d] = -(stiffness * spring[d] + damping * velocity[d]);
+    force[d] = trial_force(stiffness, spring[d], damping, velocity[d]);
     squared += force[d] * force[d];
   }
   if (squared <= cap * cap) return false;
@@ -46,7 +60,7 @@ inline bool tangential_force(double stiffness, double damping, double cap, doubl
   for (int d = 0; d < D; ++d) {
     force[d] *= scale;
     // Without tangential stiffness there is no spring to carry anything.
-    spring[d] = stiffness > 0.0 ? -force[d] / stiffness : 0.0;
+    spring[d] = stiffness > 0.0 ? carrying_spring(force[d], stiffness) : 0.0;
   }
   return true;
 }

@@ -3,20 +3,48 @@
 #define RODPACK_CONTACT_CONTACT_MOTION_H
 
 #include "../geometry/vector3.h"
+#include "contact_law.h"
 
 namespace rodpack {
 
 // How a contact of two spheres, or of a sphere and a wall, moves. A `Contact` is anything with the
-// members of LIGGGHTS's SurfacesIntersectData: en (unit normal from j to i), r, rinv, radsum,
-// deltan (overlap), v_i, v_j (of the centres), cri, crj (from the centres to the contact point), vn
-// (positive when separating), vtr1..3 (tangential velocity), is_wall, kn, kt, gamman, gammat
-// (stiffness and dashpot of the contact). SI units.
+// members of LIGGGHTS's SurfacesIntersectData: en (unit normal from j to i), r, rinv, radi, radj,
+// radsum, deltan (overlap), delta (from the centre of j, or its wall, to that of i), v_i, v_j (of
+// the centres), omega_i, omega_j, cri, crj (from the centres to the contact point), vn (positive
+// when separating), vtr1..3 (tangential velocity), is_wall, kn, kt, gamman, gammat (stiffness and
+// dashpot of the contact). SI units.
 
-/// By how much the motion of i's surface relative to j's, at the contact, has changed in the step
-/// before because forces jumped; as seen at the end of that step, SI.
-struct MotionChange {
-  double acceleration[3], velocity[3], displacement[3];
-};
+/// Velocity in the plane of contact from that of the centres, `relative`, and the sum `spin` of the
+/// angular velocities times the levers of both; returns the velocity along the normal `en`.
+inline double tangential_velocity(const double (&relative)[3], const double (&spin)[3],
+                                  const double (&en)[3], double (&tangential)[3]) {
+  const double separation = dot(relative, en);
+  double roll[3];
+  cross(spin, en, roll);
+  for (int d = 0; d < 3; ++d) tangential[d] = relative[d] - separation * en[d] - roll[d];
+  return separation;
+}
+
+/// Completes a contact of which radii, delta, r and the motion of both sides are set (of a wall:
+/// its velocity), by what follows from them. The overlap may be negative.
+template <class Contact>
+inline void complete_contact(Contact& contact) {
+  contact.rinv = 1.0 / contact.r;
+  contact.deltan = contact.radsum - contact.r;
+  contact.cri = lever_length(contact.radi, contact.deltan);
+  contact.crj = contact.is_wall ? 0.0 : lever_length(contact.radj, contact.deltan);
+  double relative[3], spin[3], tangential[3];
+  for (int d = 0; d < 3; ++d) {
+    contact.en[d] = contact.delta[d] * contact.rinv;
+    relative[d] = contact.v_i[d] - contact.v_j[d];
+    spin[d] = contact.cri * contact.omega_i[d];
+    if (!contact.is_wall) spin[d] += contact.crj * contact.omega_j[d];
+  }
+  contact.vn = tangential_velocity(relative, spin, contact.en, tangential);
+  contact.vtr1 = tangential[0];
+  contact.vtr2 = tangential[1];
+  contact.vtr3 = tangential[2];
+}
 
 /// Whether a contact that is evaluated for the first time can have begun within the step `dt`; not
 /// when it was made with an overlap, or handed on by a neighbouring triangle of a mesh.
@@ -34,14 +62,16 @@ inline void normal_turning_rate(const Contact& contact, double (&rate)[3]) {
                   : (contact.v_i[d] - contact.v_j[d] - contact.vn * contact.en[d]) * contact.rinv;
 }
 
-/// Lever from the centre of a sphere to the contact, `length` in direction `sign` of the normal,
-/// and its rate: the overlap changes its length, and the normal turns by `turn`.
+/// Lever from the centre of a sphere to the contact, and its rate: the overlap changes its length,
+/// cri or crj, and the normal turns by `turn`. `side` is 1 for i, from which the contact lies
+/// against the normal, and -1 for j.
 template <class Contact>
-inline void contact_lever(const Contact& contact, const double (&turn)[3], double length,
-                          double sign, double (&lever)[3], double (&rate)[3]) {
+inline void contact_lever(const Contact& contact, const double (&turn)[3], double side,
+                          double (&lever)[3], double (&rate)[3]) {
+  const double length = side > 0.0 ? contact.cri : contact.crj;
   for (int d = 0; d < 3; ++d) {
-    lever[d] = sign * length * contact.en[d];
-    rate[d] = sign * (0.5 * contact.vn * contact.en[d] + length * turn[d]);
+    lever[d] = lever_component(0.0, side * length, contact.en[d]);
+    rate[d] = -side * (0.5 * contact.vn * contact.en[d] + length * turn[d]);
   }
 }
 

@@ -3,8 +3,10 @@
 #define RODPACK_CONTACT_FORCE_CHANGE_H
 
 #include <algorithm>
+#include <cstddef>
 
 #include "../geometry/vector3.h"
+#include "contact_law.h"
 
 namespace rodpack {
 
@@ -25,14 +27,15 @@ struct ForceChange {
   double now[3];      // D at the end of the step
   double rate[3];     // dD/dt
   double impulse[3];  // integral of D since the event
-  double sweep[3];    // double integral of D since the event: displacement times mass
+  /// Integral over time of that impulse, as it grew since the event: displacement times mass.
+  double impulse_integral[3];
 
   ForceChange& operator+=(const ForceChange& other) {
     for (int d = 0; d < 3; ++d) {
       now[d] += other.now[d];
       rate[d] += other.rate[d];
       impulse[d] += other.impulse[d];
-      sweep[d] += other.sweep[d];
+      impulse_integral[d] += other.impulse_integral[d];
     }
     return *this;
   }
@@ -42,7 +45,7 @@ struct ForceChange {
       now[d] *= factor;
       rate[d] *= factor;
       impulse[d] *= factor;
-      sweep[d] *= factor;
+      impulse_integral[d] *= factor;
     }
     return *this;
   }
@@ -55,6 +58,11 @@ struct ForceChange {
   }
 };
 
+static_assert(offsetof(ForceChange, now) == 0 && offsetof(ForceChange, rate) == 24 &&
+                  offsetof(ForceChange, impulse) == 48 &&
+                  offsetof(ForceChange, impulse_integral) == 72 && sizeof(ForceChange) == 96,
+              "changes of spheres' forces are stored, and sent, as plain doubles");
+
 /// A change that is `now` and grows by `rate`, of an event that lies `since` seconds back.
 inline ForceChange linear_change(const double (&now)[3], const double (&rate)[3], double since) {
   ForceChange change;
@@ -63,7 +71,7 @@ inline ForceChange linear_change(const double (&now)[3], const double (&rate)[3]
     change.now[d] = now[d];
     change.rate[d] = rate[d];
     change.impulse[d] = since * now[d] - half * rate[d];
-    change.sweep[d] = half * now[d] - third * rate[d];
+    change.impulse_integral[d] = half * now[d] - third * rate[d];
   }
   return change;
 }
@@ -81,23 +89,25 @@ inline ForceChange dashpot_change(double coefficient, const double (&acceleratio
     change.now[d] = v + dt * a;
     change.rate[d] = a;
     change.impulse[d] = x + dt * (v + 0.5 * dt * a);
-    change.sweep[d] = dt * (x + dt * (0.5 * v + dt * a / 6.0));
+    change.impulse_integral[d] = dt * (x + dt * (0.5 * v + dt * a / 6.0));
   }
   return change;
 }
 
-/// The torque of a changed force at `lever` (m), which moves at `lever_rate` (m/s).
+/// The torque of a changed force at `lever` (m), which moves at `lever_rate` (m/s). `product`(a, b,
+/// result) is that of vectors.
+template <class Product>
 inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
-                                 const ForceChange& force) {
+                                 const ForceChange& force, Product product) {
   ForceChange torque;
   double of_rate[3], of_impulse[3];
-  cross(lever, force.now, torque.now);
-  cross(lever, force.rate, torque.rate);
-  cross(lever_rate, force.now, of_rate);
-  // int (L - (t_now - t) L') x D dt, and the sweep is int (t_now - t) D dt
-  cross(lever, force.impulse, torque.impulse);
-  cross(lever_rate, force.sweep, of_impulse);
-  cross(lever, force.sweep, torque.sweep);
+  product(lever, force.now, torque.now);
+  product(lever, force.rate, torque.rate);
+  product(lever_rate, force.now, of_rate);
+  // int (L - (t_now - t) L') x D dt, and the integral of the impulse is int (t_now - t) D dt
+  product(lever, force.impulse, torque.impulse);
+  product(lever_rate, force.impulse_integral, of_impulse);
+  product(lever, force.impulse_integral, torque.impulse_integral);
   for (int d = 0; d < 3; ++d) {
     torque.rate[d] += of_rate[d];
     torque.impulse[d] -= of_impulse[d];
@@ -105,16 +115,20 @@ inline ForceChange torque_change(const double (&lever)[3], const double (&lever_
   return torque;
 }
 
-/// Adds the same to `torque` where everything lies in the plane of x and y: its z components.
-inline void add_planar_torque_change(const double (&lever)[3], const double (&lever_rate)[3],
-                                     const ForceChange& force, ForceChange& torque) {
-  const auto about_z = [](const double(&arm)[3], const double(&vector)[3]) {
-    return arm[0] * vector[1] - arm[1] * vector[0];
-  };
-  torque.now[2] += about_z(lever, force.now);
-  torque.rate[2] += about_z(lever, force.rate) + about_z(lever_rate, force.now);
-  torque.impulse[2] += about_z(lever, force.impulse) - about_z(lever_rate, force.sweep);
-  torque.sweep[2] += about_z(lever, force.sweep);
+/// In space.
+inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
+                                 const ForceChange& force) {
+  return torque_change(lever, lever_rate, force, cross);
+}
+
+/// Where everything lies in the plane of x and y: z components alone, the others are 0.
+inline ForceChange planar_torque_change(const double (&lever)[3], const double (&lever_rate)[3],
+                                        const ForceChange& force) {
+  return torque_change(lever, lever_rate, force,
+                       [](const double* a, const double* b, double* result) {
+                         result[0] = result[1] = 0.0;
+                         result[2] = cross_z<double>({a[0], a[1]}, {b[0], b[1]});
+                       });
 }
 
 /// Time since a quantity that is `before` one step ago and `now` now, of the other sign, was 0.

@@ -59,18 +59,19 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
   FrictionForce result = {};
   double stuck[3], trial = 0.0;
   for (int d = 0; d < 3; ++d)
-    stuck[d] = -(step.stiffness * spring[d] + step.damping * step.velocity[0][d]);
+    stuck[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
   trial = std::sqrt(dot(stuck, stuck));
   const double cap = std::max(0.0, step.cap);
   const auto stick = [&] {
     for (int d = 0; d < 3; ++d)
-      result.force[d] = -(step.stiffness * spring[d] + step.damping * step.velocity[0][d]);
+      result.force[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
   };
   // by which the force was beyond the cap one step ago
   const auto excess_before = [&] {
     double before[3];
     for (int d = 0; d < 3; ++d)
-      before[d] = -(step.stiffness * step.spring_before[d] + step.damping * step.velocity[1][d]);
+      before[d] =
+          trial_force(step.stiffness, step.spring_before[d], step.damping, step.velocity[1][d]);
     return std::sqrt(dot(before, before)) - (cap - step.dt * step.cap_rate);
   };
   if (!step.slid && trial <= cap) {
@@ -89,7 +90,7 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
     result.slides = true;
     for (int d = 0; d < 3; ++d) {
       result.force[d] = trial > 0.0 ? cap / trial * stuck[d] : 0.0;
-      spring[d] = -result.force[d] / step.stiffness;
+      spring[d] = carrying_spring(result.force[d], step.stiffness);
     }
     if (step.slid) return result;
     const double below = excess_before(), beyond = trial - cap;
@@ -117,14 +118,14 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
   const double share = result.since / step.dt;
   for (int d = 0; d < 3; ++d) {
     const double then = (1.0 - share) * step.velocity[0][d] + share * step.velocity[1][d];
-    spring[d] = -at_change / step.stiffness * direction[d] +
+    spring[d] = carrying_spring(at_change, step.stiffness) * direction[d] +
                 0.5 * result.since * (step.velocity[0][d] + then);
   }
   stick();
   const double strength = std::sqrt(dot(result.force, result.force));
   if (strength > cap)
     for (int d = 0; d < 3; ++d) {
-      spring[d] = -cap / step.stiffness * direction[d];
+      spring[d] = carrying_spring(cap, step.stiffness) * direction[d];
       result.force[d] = cap / strength * result.force[d];
     }
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "contact_history.h"
 #include "contact_law.h"
 #include "contact_motion.h"
+#include "event_correction.h"
 #include "force_change.h"
 #include "friction_step.h"
 #include "../motion/multistep.h"
@@ -17,38 +20,22 @@ namespace rodpack {
 // integral of the tangential velocity, by the multistep formula of the integrator that runs.
 // `Contact`: see contact_motion.h; `Events`: see normal_history.h.
 
-/// View of what a contact remembers of its tangential force: spring (3, m), the last `slots`
-/// tangential velocities, newest first (3 each, m/s), number of velocities known (negative while
-/// sliding; 0: no contact), step of the last update, time between touch and the end of its step
-/// (s).
-struct TangentialHistory {
-  double* values;
-  int slots;
-
-  static constexpr int size(int slots) { return 3 * (slots + 1) + 6; }
-  double* spring() const { return values; }
-  double* velocity(int k) const { return values + 3 * (k + 1); }
-  double& count() const { return values[3 * (slots + 1)]; }
-  double& step() const { return values[3 * (slots + 1) + 1]; }
-  double& since() const { return values[3 * (slots + 1) + 2]; }
-  double* constants() const { return values + 3 * (slots + 1) + 3; }
-  void clear() const { std::fill_n(values, size(slots), 0.0); }
-};
-
 /// What a contact was at the last evaluation, turned into the present plane of contact.
 struct TangentialPast {
-  bool alive = false, fresh = false, sliding = false;  // fresh: that evaluation was its first
-  int known = 0;       // velocities in the history, that of now included, at most 3
-  double since = 0.0;  // touch, in the step that it or the last evaluation made, s
+  bool alive = false, sliding = false;
+  bool just_touched = false;  // that evaluation was its first
+  int known = 0;              // velocities in the history, that of now included, at most 3
+  double since = 0.0;         // touch, in the step that it or the last evaluation made, s
   bool moved = false;  // whether events changed the motion of its bodies in the last step, to:
-  MotionChange change;
+  ContactJump jump;
   double spring[3] = {0.0, 0.0, 0.0}, velocity[3] = {0.0, 0.0, 0.0};
 };
 
 /// A multistep step of the contact history: order (0: velocity Verlet), number and length (s).
 struct TangentialStep {
   int order;
-  double now, dt;
+  std::int64_t now;
+  double dt;
 };
 
 namespace detail {
@@ -89,16 +76,14 @@ double start_spring(const Contact& contact, double dt, double* spring) {
   const double root = std::sqrt(approach * approach + dot(velocity, velocity) * closed);
   const double since_touch = root > approach ? std::min(dt, closed / (root - approach)) : 0.0;
 
-  double normal[3], roll[3], spin[3], at_touch[3];
+  double normal[3], spin[3], at_touch[3];
   for (int d = 0; d < 3; ++d) {
     normal[d] = contact.delta[d] - since_touch * velocity[d];
     spin[d] = contact.radi * contact.omega_i[d] + contact.radj * contact.omega_j[d];
   }
   const double scale = 1.0 / std::sqrt(dot(normal, normal));
   for (int d = 0; d < 3; ++d) normal[d] *= scale;
-  cross(spin, normal, roll);
-  const double closing = dot(velocity, normal);
-  for (int d = 0; d < 3; ++d) at_touch[d] = velocity[d] - closing * normal[d] - roll[d];
+  tangential_velocity(velocity, spin, normal, at_touch);
   turn_with_contact(contact.en, at_touch);
   for (int d = 0; d < 3; ++d) spring[d] = 0.5 * since_touch * (at_touch[d] + now[d]);
   return since_touch;
@@ -106,15 +91,15 @@ double start_spring(const Contact& contact, double dt, double* spring) {
 
 /// Puts into the spring and the velocities of the past what an event in the last step, which they
 /// could not know of, did to the bodies.
-inline void follow_bodies(const double* en, int known, double dt, MotionChange& change,
-                          const TangentialHistory& history) {
-  in_plane(en, change.acceleration);
-  in_plane(en, change.velocity);
-  in_plane(en, change.displacement);
+inline void follow_bodies(const double* en, double dt, ContactJump& jump,
+                          TangentialHistory& history) {
+  in_plane(en, jump.acceleration);
+  in_plane(en, jump.velocity);
+  in_plane(en, jump.displacement);
   for (int d = 0; d < 3; ++d) {
-    history.spring()[d] += change.displacement[d];
-    for (int k = 0; k < std::min(known, history.slots); ++k)
-      history.velocity(k)[d] += change.velocity[d] - k * dt * change.acceleration[d];
+    history.spring[d] += jump.displacement[d];
+    for (int k = 0; k < std::min(history.known, history.slots); ++k)
+      history.velocity[k][d] += jump.velocity[d] - k * dt * jump.acceleration[d];
   }
 }
 
@@ -123,53 +108,54 @@ inline void follow_bodies(const double* en, int known, double dt, MotionChange& 
 /// Brings the spring from the last step to this one and stores this step's velocity. `events`: of
 /// the integrator, null if it follows none.
 template <class Contact, class Events>
-TangentialPast advance_spring(const Contact& contact, const TangentialHistory& history,
+TangentialPast advance_spring(const Contact& contact, TangentialHistory& history,
                               const TangentialStep& step, const Events* events) {
   const double dt = step.dt;
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-  double *const spring = history.spring(), *const newest = history.velocity(0);
 
   // A contact that was not updated in the last step is a new one, whatever is in its history.
   TangentialPast past;
-  past.alive = history.count() != 0.0 && history.step() == step.now - 1.0;
-  history.step() = step.now;
+  past.alive = history.known != 0 && history.step == step.now - 1;
+  history.step = step.now;
   if (!past.alive) {
-    past.since = history.since() = detail::start_spring(contact, dt, spring);
-    if (!touched_in_step(contact, dt)) past.since = history.since() = 0.0;
-    std::fill_n(newest, 3 * history.slots, 0.0);
-    std::copy(velocity, velocity + 3, newest);
-    history.count() = 1.0;
+    past.since = history.since = detail::start_spring(contact, dt, history.spring);
+    if (!touched_in_step(contact, dt)) past.since = history.since = 0.0;
+    for (int k = 1; k < history.slots; ++k) std::fill_n(history.velocity[k], 3, 0.0);
+    std::copy(velocity, velocity + 3, history.velocity[0]);
+    history.known = 1;
+    history.sliding = false;
     return past;
   }
 
-  const int known = static_cast<int>(std::fabs(history.count()));
-  past.fresh = known == 1;
-  past.since = history.since();
-  past.known = std::min({known + 1, history.slots, 3});
-  past.sliding = history.count() < 0.0;
-  detail::turn_with_contact(contact.en, spring);
+  past.just_touched = history.known == 1;
+  past.since = history.since;
+  past.known = std::min({history.known + 1, history.slots, 3});
+  past.sliding = history.sliding;
+  history.sliding = false;
+  detail::turn_with_contact(contact.en, history.spring);
   if (step.order == 0) {
     // Velocity Verlet shows the velocity at half the step, where the midpoint rule wants it.
-    for (int d = 0; d < 3; ++d) spring[d] += dt * velocity[d];
-    std::copy(velocity, velocity + 3, newest);
-    history.count() = 1.0;
+    for (int d = 0; d < 3; ++d) history.spring[d] += dt * velocity[d];
+    std::copy(velocity, velocity + 3, history.velocity[0]);
+    history.known = 1;
     return past;
   }
-  const MultistepWeights& weights = multistep_weights(step.order, known);
+  const MultistepWeights& weights = multistep_weights(step.order, history.known);
   for (int k = 0; k < history.slots; ++k)
-    detail::turn_with_contact(contact.en, history.velocity(k));
+    detail::turn_with_contact(contact.en, history.velocity[k]);
   if (events) {
-    past.moved = events->motion_changed(contact, past.change);
-    if (past.moved) detail::follow_bodies(contact.en, known, dt, past.change, history);
+    past.moved = events->motion_changed(contact, past.jump);
+    if (past.moved) detail::follow_bodies(contact.en, dt, past.jump, history);
   }
-  std::copy(spring, spring + 3, past.spring);
-  std::copy(newest, newest + 3, past.velocity);
+  std::copy(history.spring, history.spring + 3, past.spring);
+  std::copy(history.velocity[0], history.velocity[0] + 3, past.velocity);
   for (int d = 0; d < 3; ++d)
-    spring[d] +=
-        multistep_increment(weights, step.order, dt, [&](int k) { return history.velocity(k)[d]; });
-  std::copy_backward(newest, newest + 3 * (history.slots - 1), newest + 3 * history.slots);
-  std::copy(velocity, velocity + 3, newest);
-  history.count() = std::min(known, history.slots) + 1.0;
+    history.spring[d] +=
+        multistep_increment(weights, step.order, dt, [&](int k) { return history.velocity[k][d]; });
+  for (int k = history.slots - 1; k > 0; --k)
+    std::copy(history.velocity[k - 1], history.velocity[k - 1] + 3, history.velocity[k]);
+  std::copy(velocity, velocity + 3, history.velocity[0]);
+  history.known = std::min(history.known, history.slots) + 1;
   return past;
 }
 
@@ -180,7 +166,7 @@ bool may_change_branch(const Contact& contact, const TangentialPast& past,
   if (past.sliding) return true;
   double squared = 0.0;
   for (int d = 0; d < 3; ++d) {
-    const double component = contact.kt * spring[d] + contact.gammat * velocity[d];
+    const double component = trial_force(contact.kt, spring[d], contact.gammat, velocity[d]);
     squared += component * component;
   }
   return squared > cap * cap;
@@ -201,7 +187,7 @@ FrictionForce follow_through_step(const Contact& contact, const TangentialPast& 
   step.slid = past.sliding;
   std::copy(past.spring, past.spring + 3, step.spring_before);
   for (int k = 0; k < past.known; ++k)
-    std::copy(history.velocity(k), history.velocity(k) + 3, step.velocity[k]);
+    std::copy(history.velocity[k], history.velocity[k] + 3, step.velocity[k]);
   return friction_force(step, spring);
 }
 
@@ -216,29 +202,30 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
     if (!(past.since > 0.0)) return;
     const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
     for (int d = 0; d < 3; ++d) rate[d] = sliding ? force[d] / past.since : -kt * velocity[d];
-    events.add(contact, force, rate, past.since, !sliding && gamma > 0.0);
+    events.add(contact, change_in_space(contact, force, rate, past.since), !sliding && gamma > 0.0);
     return;
   }
   if (law.changed) {
-    if (law.since > 0.0) events.add(contact, law.gain, law.gain_rate, law.since, law.jumps);
+    if (law.since > 0.0)
+      events.add(contact, change_in_space(contact, law.gain, law.gain_rate, law.since), law.jumps);
     return;
   }
-  const MotionChange& change = past.change;
+  const ContactJump& jump = past.jump;
   events.add(contact,
-             dashpot_change(gamma, change.acceleration, change.velocity, change.displacement, dt),
-             false);
-  if (!past.fresh) return;
+             dashpot_change(gamma, jump.acceleration, jump.velocity, jump.displacement, dt), false);
+  if (!past.just_touched) return;
   // Two evaluations after touch give the rate that was guessed at touch, as constant since then.
   ForceChange missed;
   const double since = past.since;
   for (int d = 0; d < 3; ++d) {
-    const double at_touch = -(kt * past.spring[d] + gamma * past.velocity[d]);
+    const double at_touch = trial_force(kt, past.spring[d], gamma, past.velocity[d]);
+    // of spring and dashpot: as the force itself, with velocity and acceleration
     const double applied =
-        -kt * (past.velocity[d] - change.velocity[d]) - gamma * change.acceleration[d];
+        trial_force(kt, past.velocity[d] - jump.velocity[d], gamma, jump.acceleration[d]);
     missed.rate[d] = (force[d] - at_touch) / dt - applied;
     missed.now[d] = missed.rate[d] * dt;
     missed.impulse[d] = 0.5 * missed.rate[d] * (dt * dt - since * since);
-    missed.sweep[d] =
+    missed.impulse_integral[d] =
         missed.rate[d] * (dt * dt * dt / 6.0 - since * since * (0.5 * dt + since / 3.0));
   }
   events.add(contact, missed, true);
@@ -253,17 +240,17 @@ struct TangentialForce {
   bool sliding;
 };
 template <class Contact, class Events>
-TangentialForce tangential_contact_force(const Contact& contact, const TangentialHistory& history,
+TangentialForce tangential_contact_force(const Contact& contact, TangentialHistory& history,
                                          double friction, bool renewed, const TangentialStep& step,
                                          const Events* followed, Events* reports) {
   TangentialPast past;
+  bool sliding = history.sliding && contact.kt > 0.0;
   if (renewed) past = advance_spring(contact, history, step, followed);
 
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
   TangentialForce result;
   double(&force)[3] = result.force, (&spring)[3] = result.spring;
-  std::copy(history.spring(), history.spring() + 3, spring);
-  bool sliding = history.count() < 0.0 && contact.kt > 0.0;
+  std::copy(history.spring, history.spring + 3, spring);
   FrictionForce law;
   law.changed = false;
   if (renewed && followed && past.alive && contact.gammat > 0.0 &&
@@ -280,11 +267,11 @@ TangentialForce tangential_contact_force(const Contact& contact, const Tangentia
   if (sliding && contact.kt > 0.0)
     for (int d = 0; d < 3; ++d) force[d] = -contact.kt * spring[d];
   if (renewed) {
-    std::copy(spring, spring + 3, history.spring());
-    if (sliding) history.count() = -history.count();
-    history.constants()[0] = friction;
-    history.constants()[1] = contact.kt;
-    history.constants()[2] = contact.gammat;
+    std::copy(spring, spring + 3, history.spring);
+    history.sliding = sliding;
+    history.friction = friction;
+    history.stiffness = contact.kt;
+    history.damping = contact.gammat;
     if (reports) report_friction(contact, past, law, force, sliding, step.dt, *reports);
   }
   result.sliding = sliding;
@@ -294,34 +281,33 @@ TangentialForce tangential_contact_force(const Contact& contact, const Tangentia
 /// Reports that a contact that was evaluated one step ago has opened within the step: `contact`
 /// goes on with negative overlap. The history is used up.
 template <class Contact, class Events>
-void end_tangential_force(const Contact& contact, const TangentialHistory& history,
+void end_tangential_force(const Contact& contact, TangentialHistory& history,
                           const TangentialStep& step, Events& events) {
-  const double dt = step.dt, friction = history.constants()[0], kt = history.constants()[1];
-  const double gamma = history.constants()[2];
+  const double dt = step.dt, kt = history.stiffness, gamma = history.damping;
   if (!(contact.vn > 0.0)) return;
   const double since = std::min(dt, -contact.deltan / contact.vn);
   double now[3], rate[3];
-  if (history.count() < 0.0) {
+  if (history.sliding) {
     // A sliding contact's force has fallen to zero with the cap, which would go on below it.
-    double* const spring = history.spring();
-    detail::turn_with_contact(contact.en, spring);
-    const double length = std::sqrt(dot(spring, spring));
+    detail::turn_with_contact(contact.en, history.spring);
+    const double length = std::sqrt(dot(history.spring, history.spring));
     if (!(length > 0.0)) return;
     for (int d = 0; d < 3; ++d) {
-      const double direction = -spring[d] / length;
-      now[d] = -friction * contact.deltan * direction;
-      rate[d] = friction * contact.vn * direction;
+      const double direction = -history.spring[d] / length;
+      now[d] = -history.friction * contact.deltan * direction;
+      rate[d] = history.friction * contact.vn * direction;
     }
-    events.add(contact, now, rate, since, false);
+    events.add(contact, change_in_space(contact, now, rate, since), false);
     return;
   }
   const TangentialPast past = advance_spring(contact, history, step, &events);
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
   for (int d = 0; d < 3; ++d) {
-    now[d] = kt * history.spring()[d] + gamma * velocity[d];
-    rate[d] = (now[d] - kt * past.spring[d] - gamma * past.velocity[d]) / dt;
+    now[d] = -trial_force(kt, history.spring[d], gamma, velocity[d]);
+    const double before = trial_force(kt, past.spring[d], gamma, past.velocity[d]);
+    rate[d] = (now[d] + before) / dt;
   }
-  events.add(contact, now, rate, since, true);
+  events.add(contact, change_in_space(contact, now, rate, since), true);
 }
 
 }  // namespace rodpack

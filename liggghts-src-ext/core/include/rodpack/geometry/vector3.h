@@ -17,6 +17,14 @@ inline void cross(const double* a, const double* b, double* result) {
   result[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/// Velocity (or its change, or a small displacement) of the point at `lever` of a body whose centre
+/// has `centre` and that turns at `spin`.
+inline void velocity_at(const double* centre, const double* spin, const double* lever,
+                        double* result) {
+  cross(spin, lever, result);
+  for (int d = 0; d < 3; ++d) result[d] += centre[d];
+}
+
 }  // namespace rodpack
 
 #endif

@@ -3,6 +3,7 @@
 #define RODPACK_MOTION_RIGID_MOTION_H
 
 #include <cmath>
+#include <cstddef>
 
 #include "multistep.h"
 
@@ -50,6 +51,17 @@ struct SpatialRates {
   double torque[3];           // about the centre of mass, N m
   double quaternion_rate[4];  // dq/dt, 1/s
 };
+
+// The records lie in arrays of doubles of the bodies, in restart files too.
+static_assert(offsetof(PlanarRates, velocity) == 0 &&
+                  offsetof(PlanarRates, angular_velocity) == 16 &&
+                  offsetof(PlanarRates, acceleration) == 24 &&
+                  offsetof(PlanarRates, angular_acceleration) == 40 && sizeof(PlanarRates) == 48,
+              "six doubles in this order");
+static_assert(offsetof(SpatialRates, velocity) == 0 && offsetof(SpatialRates, acceleration) == 24 &&
+                  offsetof(SpatialRates, torque) == 48 &&
+                  offsetof(SpatialRates, quaternion_rate) == 72 && sizeof(SpatialRates) == 104,
+              "thirteen doubles in this order");
 
 inline void normalise(double (&q)[4]) {
   const double scale = 1.0 / std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -100,6 +112,15 @@ inline void quaternion_rate(const double (&q)[4], const double (&angular_momentu
   rate[1] = 0.5 * (q[0] * w[0] + q[2] * w[2] - q[3] * w[1]);
   rate[2] = 0.5 * (q[0] * w[1] + q[3] * w[0] - q[1] * w[2]);
   rate[3] = 0.5 * (q[0] * w[2] + q[1] * w[1] - q[2] * w[0]);
+}
+
+/// (0, omega) q / 2: the rate of a quaternion, 1/s, of a body that turns at `omega` (space frame,
+/// rad/s), or its small change by a small rotation.
+inline void half_product(const double (&omega)[3], const double (&q)[4], double (&result)[4]) {
+  result[0] = 0.5 * (-omega[0] * q[1] - omega[1] * q[2] - omega[2] * q[3]);
+  result[1] = 0.5 * (q[0] * omega[0] + omega[1] * q[3] - omega[2] * q[2]);
+  result[2] = 0.5 * (q[0] * omega[1] + omega[2] * q[1] - omega[0] * q[3]);
+  result[3] = 0.5 * (q[0] * omega[2] + omega[0] * q[2] - omega[1] * q[1]);
 }
 
 /// Fills the records before birth, history[0..order-2], from the newest one, history[order-1]: the

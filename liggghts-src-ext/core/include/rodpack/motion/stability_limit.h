@@ -6,8 +6,8 @@ namespace rodpack {
 
 // Linear stability of the integrators on x'' = -omega^2 x - 2 eta omega v, a spring and dashpot in
 // permanent contact (omega = sqrt(k/m), damping ratio eta >= 0; 1 is critical). `order` names the
-// method, as "multistep_order" does in LIGGGHTS:
-//   1..4  Adams-Bashforth for position and velocity (fix multisphere/ab, nve/sphere/ab),
+// method:
+//   1..4  Adams-Bashforth for position and velocity,
 //         x_{n+1} = x_n + dt sum w_k v_{n-k},  v_{n+1} = v_n + dt sum w_k a_{n-k};
 //   0     velocity Verlet as LIGGGHTS has it: the force at t_n sees the velocity of half a step
 //         before, v_{n+1/2} = v_{n-1/2} + dt a(x_n, v_{n-1/2}),  x_{n+1} = x_n + dt v_{n+1/2}.

@@ -13,8 +13,8 @@ struct PlanarLink {
   int out_count;                // values of `out` to send; 0: no message
 };
 
-/// Messages between the ranks that share a packing, each with a scene of its own. All but the rank
-/// functions are collective: every rank calls them in the same order.
+/// Messages between the ranks that share a packing, each with a scene of its own. All functions but
+/// rank() and count() are collective: every rank calls them in the same order.
 class PlanarRanks {
  public:
   virtual ~PlanarRanks() = default;
@@ -22,14 +22,15 @@ class PlanarRanks {
   virtual int rank() const = 0;
   virtual int count() const = 0;
 
-  /// Every rank's values one rank after the other; each gives as many.
+  /// The values of all ranks, one rank after the other; each gives as many.
   virtual std::vector<double> gather(const std::vector<double>& own) = 0;
   /// Puts the largest over the ranks in the place of each value.
   virtual void largest(double* values, int count) = 0;
-  /// to[r] goes to rank r, from[r] came from it. For what happens seldom.
+  /// Sends to[r] to rank r; from[r] becomes what came from it. For what happens seldom.
   virtual void exchange(const std::vector<std::vector<double>>& to,
                         std::vector<std::vector<double>>& from) = 0;
-  /// The same between the ranks of the links alone, which both ends of each know. For every step.
+  /// Sends and receives what the links say, between ranks that both know of their link. For every
+  /// step.
   virtual void swap(std::vector<PlanarLink>& links) = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Four doubles at a time, as two halves of two, for any processor whose registers hold that many;
-// see planar_kernel.h. The compiler would split vectors of four too, but sends each operation
+// see kernel.h. The compiler would split vectors of four too, but sends each operation
 // through memory.
 
 constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
@@ -18,6 +18,7 @@ struct Lanes {
 
 struct LaneMask {
   HalfMask low, high;
+  LaneMask() = default;
   LaneMask(HalfMask l, HalfMask h) : low(l), high(h) {}
   LaneMask(long long a, long long b, long long c, long long d) : low{a, b}, high{c, d} {}
 };

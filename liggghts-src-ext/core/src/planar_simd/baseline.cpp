@@ -5,7 +5,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "forces.h"
+#include "arguments.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "forces.h"
+#include "arguments.h"
 
 namespace rodpack {
 

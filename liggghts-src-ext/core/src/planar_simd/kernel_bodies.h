@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts with walls and the motion of bodies; included after planar_kernel.h,
-// for lanes of four.
+// Contacts with walls and the motion of bodies; included after kernel.h, for lanes of four.
 
 /// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
-/// the general way.
+/// the general path.
 inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
   const double *frame[lane_blocks], *wall[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    frame[b] = reinterpret_cast<const double*>(&forces.frames[heads[b].i]);
+    frame[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
     wall[b] = reinterpret_cast<const double*>(&forces.walls[-1 - heads[b].j]);
   }
-  const Arms arms = arms_of(values + planar_xi, values + planar_yi, frame);
+  const Vector2<Lanes> arm = arms_of(values + planar_xi, values + planar_yi, frame);
   Lanes x, y, spin, radius, along_x, along_y, position, free_side;
-  each_two(frame, frame_place, x, y);
-  each_two(frame, frame_spin, spin, radius);
-  each_two(wall, 0, along_x, along_y);
-  each_two(wall, 2, position, free_side);
-  const Lanes distance = (x + arms.x) * along_x + (y + arms.y) * along_y - position;
+  each_two(frame, body_position, x, y);
+  each_two(frame, body_spin, spin, radius);
+  each_two(wall, wall_direction, along_x, along_y);
+  each_two(wall, wall_position, position, free_side);
+  const Lanes distance = (x + arm.x) * along_x + (y + arm.y) * along_y - position;
   const Lanes zero = all_lanes(0.0);
   const Lanes own_side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
   const Lanes side = lane_choice(lane_less(zero, free_side * free_side), free_side, own_side);
@@ -26,30 +25,31 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   const int touching = ~lane_bits(lane_less(radius, distance * side)) & flags.used;
   const int here = touching | flags.alive;
   if (here == 0) return 0;
-  const int lasting = touching & flags.mature & undisturbed(heads, forces);
+  const int lasting = touching & flags.full_history & undisturbed(heads, forces);
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
-  const Lanes nx = along_x * side, ny = along_y * side;
-  const Lanes overlap = radius - distance * side;
-  const Lanes lever = radius - 0.5 * overlap;
-  const Lanes px = arms.x - lever * nx, py = arms.y - lever * ny;
+  LaneMotion motion;
+  motion.normal = {along_x * side, along_y * side};
+  motion.overlap = radius - distance * side;
+  motion.lever_i = lever_in_plane(arm, lever_length(radius, motion.overlap), motion.normal);
   Lanes vx, vy;
-  each_two(frame, frame_velocity, vx, vy);
-  const Lanes ux = vx - spin * py, uy = vy + spin * px;
+  each_two(frame, body_velocity, vx, vy);
+  const Vector2<Lanes> of_centre = {vx, vy};
+  const Vector2<Lanes> velocity = velocity_at(of_centre, spin, motion.lever_i);
+  motion.separation_velocity = dot(velocity, motion.normal);
+  motion.tangential_velocity = cross_z(motion.normal, velocity);
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces(first, values, overlap, ux * nx + uy * ny,
-                                          uy * nx - ux * ny, lasting, sliding, forces);
+  const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);
-  const Lanes fx = force.normal * nx - force.tangential * ny;
-  const Lanes fy = force.normal * ny + force.tangential * nx;
+  const Vector2<Lanes> on_body = in_space(motion.normal, force.normal, force.tangential);
   alignas(64) PlanarVector on_walls = PlanarVector();
   double *load[lane_blocks], *load_of_wall[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
     load[b] = forces.loads[heads[b].i].d;
     load_of_wall[b] = on_walls.d;
   }
-  add_loads(fx, fy, px * fy - py * fx, zero, load, load_of_wall);
+  add_loads(on_body.x, on_body.y, cross_z(motion.lever_i, on_body), zero, load, load_of_wall);
   return general | force.general;
 }
 
@@ -65,30 +65,31 @@ int evaluate_walls(const PlanarForces& forces) {
 
 /// One multistep step of the velocity; returns the displacement over dt. `ahead`: becomes about the
 /// displacement in the steps that are looked ahead.
-inline Lanes advance_velocity(const PlanarMotions& motions, int body, Lanes& ahead) {
-  const int order = motions.order;
-  if (motions.evaluations[body] <= order) ++motions.evaluations[body];
-  const double* const of_force = motions.force_weights[motions.evaluations[body]];
-  double *const load = motions.loads[body].d, *const velocity = motions.frames[body].velocity;
+inline Lanes advance_velocity(const PlanarAdvance& arguments, int body, Lanes& ahead) {
+  const int order = arguments.order;
+  if (arguments.evaluations[body] <= order) ++arguments.evaluations[body];
+  const double* const of_force = arguments.force_weights[arguments.evaluations[body]];
+  double *const load = arguments.loads[body].d, *const velocity =
+                                                    arguments.kinematics[body].velocity;
   const Lanes v = load_lanes(velocity);
-  const double* const inertia = motions.inertia[body].d;
+  const double* const inertia = arguments.inertia[body].d;
   const Lanes a = load_lanes(load) * load_lanes(inertia);
-  store_lanes(load, all_lanes(inertia[3]) * load_lanes(motions.gravity.d));
-  Lanes dx = motions.velocity_weights[0] * v, dv = of_force[0] * a;
+  store_lanes(load, all_lanes(inertia[3]) * load_lanes(arguments.gravity.d));
+  Lanes dx = arguments.velocity_weights[0] * v, dv = of_force[0] * a;
   for (int k = 0; k < order - 1; ++k) {
-    dx += motions.velocity_weights[k + 1] * load_lanes(motions.past_velocity[k][body].d);
-    dv += of_force[k + 1] * load_lanes(motions.past_acceleration[k][body].d);
+    dx += arguments.velocity_weights[k + 1] * load_lanes(arguments.past_velocity[k][body].d);
+    dv += of_force[k + 1] * load_lanes(arguments.past_acceleration[k][body].d);
   }
   // The oldest rates make room for those of this step.
   if (order > 1) {
-    store_lanes(motions.past_velocity[order - 2][body].d, v);
-    store_lanes(motions.past_acceleration[order - 2][body].d, a);
+    store_lanes(arguments.past_velocity[order - 2][body].d, v);
+    store_lanes(arguments.past_acceleration[order - 2][body].d, a);
   }
   const Lanes but_the_radius = {1.0, 1.0, 1.0, 0.0};
-  const Lanes change = motions.dt * (dv * but_the_radius), after = v + change;
+  const Lanes change = arguments.dt * (dv * but_the_radius), after = v + change;
   store_lanes(velocity, after);
-  const double steps = motions.steps_ahead;
-  ahead = (steps * motions.dt) * (after + (0.5 * steps) * change);
+  const double steps = arguments.steps_ahead;
+  ahead = (steps * arguments.dt) * (after + (0.5 * steps) * change);
   return dx;
 }
 
@@ -117,24 +118,24 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
 
 /// rigid_motion.h's planar step for these bodies; the rotation by the increment of the angle is
 /// made on cosine and sine.
-int advance(const PlanarMotions& motions) {
+int advance(const PlanarAdvance& arguments) {
   int entries = 0;
-  for (int first = motions.bodies.first; first < motions.bodies.end; first += body_lanes) {
+  for (int first = arguments.bodies.first; first < arguments.bodies.end; first += body_lanes) {
     // Bodies beyond the last repeat it.
-    const int left = motions.bodies.end - first, members = left < body_lanes ? left : body_lanes;
+    const int left = arguments.bodies.end - first, members = left < body_lanes ? left : body_lanes;
     Lanes motion[body_lanes], ahead[body_lanes], place[body_lanes];
     for (int k = 0; k < body_lanes; ++k) {
       motion[k] =
-          k < members ? advance_velocity(motions, first + k, ahead[k]) : motion[members - 1];
+          k < members ? advance_velocity(arguments, first + k, ahead[k]) : motion[members - 1];
       if (k >= members) ahead[k] = ahead[members - 1];
-      place[k] = load_lanes(&motions.frames[first + (k < members ? k : members - 1)].x);
+      place[k] = load_lanes(&arguments.kinematics[first + (k < members ? k : members - 1)].x);
     }
     transpose_lanes(motion);
     transpose_lanes(ahead);
     transpose_lanes(place);
-    const Lanes x = place[0] + motions.dt * motion[0], y = place[1] + motions.dt * motion[1];
+    const Lanes x = place[0] + arguments.dt * motion[0], y = place[1] + arguments.dt * motion[1];
     Lanes c, s;
-    cosine_and_sine(motions.dt * motion[2], c, s);
+    cosine_and_sine(arguments.dt * motion[2], c, s);
     const Lanes cosine = place[2] * c - place[3] * s, sine = place[3] * c + place[2] * s;
     // One Newton step for 1/sqrt: the square of the norm is 1 to a few rounding errors.
     const Lanes scale = all_lanes(1.5) - 0.5 * (cosine * cosine + sine * sine);
@@ -143,7 +144,7 @@ int advance(const PlanarMotions& motions) {
     place[2] = cosine * scale;
     place[3] = sine * scale;
 
-    const PlanarListedLanes& at = motions.listed[first / body_lanes];
+    const PlanarReferenceLanes& at = arguments.references[first / body_lanes];
     const Lanes rx = x - load_lanes(at.x), ry = y - load_lanes(at.y);
     const Lanes tc = place[2] - load_lanes(at.cosine), ts = place[3] - load_lanes(at.sine);
     const Lanes reach = load_lanes(at.reach);
@@ -152,7 +153,7 @@ int advance(const PlanarMotions& motions) {
       return 2.0 * (x_way * x_way + y_way * y_way + turn);  // |a| + |b| <= sqrt(2 (a^2 + b^2))
     };
     const Lanes moved = lane_sqrt(square_of_way(rx, ry, tc, ts));
-    store_lanes(motions.moved + first, moved);
+    store_lanes(arguments.moved + first, moved);
     const Lanes will_move = square_of_way(rx + ahead[0], ry + ahead[1], tc - ahead[2] * place[3],
                                           ts + ahead[2] * place[2]);
     const Lanes skin = load_lanes(at.skin);
@@ -160,8 +161,8 @@ int advance(const PlanarMotions& motions) {
         lane_bits(lane_less(skin, moved)) | lane_bits(lane_less(skin * skin, will_move));
     transpose_lanes(place);
     for (int k = 0; k < members; ++k) {
-      store_lanes(&motions.frames[first + k].x, place[k]);
-      if (far & 1 << k) motions.to_list[entries++] = first + k;
+      store_lanes(&arguments.kinematics[first + k].x, place[k]);
+      if (far & 1 << k) arguments.to_list[entries++] = first + k;
     }
   }
   return entries;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Eight doubles at a time in one register of AVX-512; see planar_kernel.h.
+// Eight doubles at a time in one register of AVX-512; see kernel.h.
 
 constexpr int lane_blocks = 4;  // blocks that are evaluated at a time
 
-typedef double Lanes __attribute__((vector_size(64), may_alias));
+typedef double Lanes __attribute__((vector_size(64)));
+typedef double StoredLanes __attribute__((vector_size(64), may_alias));  // what lies in memory
 
 /// Bit k: lane k.
 struct LaneMask {
@@ -21,8 +22,10 @@ inline LaneMask operator^(LaneMask a, LaneMask b) {
 inline LaneMask operator~(LaneMask a) { return {static_cast<__mmask8>(~a.bits)}; }
 inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
 
-inline Lanes load_lanes(const double* values) { return *reinterpret_cast<const Lanes*>(values); }
-inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<Lanes*>(values) = x; }
+inline Lanes load_lanes(const double* values) {
+  return *reinterpret_cast<const StoredLanes*>(values);
+}
+inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<StoredLanes*>(values) = x; }
 inline Lanes all_lanes(double x) { return (Lanes)_mm512_set1_pd(x); }
 /// The root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {

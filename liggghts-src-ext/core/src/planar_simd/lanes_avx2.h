@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four doubles at a time in one register of AVX2; see planar_kernel.h.
+// Four doubles at a time in one register of AVX2; see kernel.h.
 
 constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
 
-typedef double Lanes __attribute__((vector_size(32), may_alias));
-typedef long long LaneMask __attribute__((vector_size(32), may_alias));  // all bits set: true
+typedef double Lanes __attribute__((vector_size(32)));
+typedef double StoredLanes __attribute__((vector_size(32), may_alias));  // what lies in memory
+typedef long long LaneMask __attribute__((vector_size(32)));             // all bits set: true
 
-inline Lanes load_lanes(const double* values) { return *reinterpret_cast<const Lanes*>(values); }
-inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<Lanes*>(values) = x; }
+inline Lanes load_lanes(const double* values) {
+  return *reinterpret_cast<const StoredLanes*>(values);
+}
+inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<StoredLanes*>(values) = x; }
 inline Lanes all_lanes(double x) { return Lanes{x, x, x, x}; }
 inline Lanes lane_sqrt(Lanes x) { return (Lanes)_mm256_sqrt_pd((__m256d)x); }
 /// The root and its inverse.

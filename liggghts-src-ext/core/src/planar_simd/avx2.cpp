@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #endif
 
-#include "forces.h"
+#include "arguments.h"
 #include "rodpack/planar/scene.h"
 
 #ifdef __x86_64__

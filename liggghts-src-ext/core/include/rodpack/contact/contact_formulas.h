@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The formulas of a contact, each once: for one contact (`Real` is double) and for the contacts in
+// a register of the planar engine (`Real` is Lanes). SI units.
+//
+// This is a text to be included inside a namespace in which lane_less(a, b) and lane_choice(mask,
+// a, b) are known for these numbers. contact_law.h does so for double. A source that is compiled
+// for the instructions of one kind of processor does so in an unnamed namespace of its own: the
+// compiler splits up registers in a template that it has read without these instructions, and a
+// function that it has compiled with them could take the place of everybody's.
+
+/// A vector in the plane of motion.
+template <class Real>
+struct Vector2 {
+  Real x, y;
+};
+
+/// z component of a x b: the torque of a force b at the lever a, or the component of b along the
+/// tangent z x a of a unit normal a.
+template <class Real>
+inline Real cross_z(Vector2<Real> a, Vector2<Real> b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+template <class Real>
+inline Real dot(Vector2<Real> a, Vector2<Real> b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// Turns a vector from the frame of a body into space.
+template <class Real>
+inline Vector2<Real> turned(Real cosine, Real sine, Vector2<Real> vector) {
+  return {cosine * vector.x - sine * vector.y, sine * vector.x + cosine * vector.y};
+}
+
+/// The vector with these components along the unit normal and the tangent z x normal.
+template <class Real>
+inline Vector2<Real> in_space(Vector2<Real> normal, Real along_normal, Real along_tangent) {
+  return {along_normal * normal.x - along_tangent * normal.y,
+          along_normal * normal.y + along_tangent * normal.x};
+}
+
+// ---- where the surfaces touch, and how they move there
+
+/// Distance from the centre of a sphere to the contact point, half-way into the overlap.
+template <class Real>
+inline Real lever_length(Real radius, Real overlap) {
+  return radius - 0.5 * overlap;
+}
+
+/// Component of the lever from the centre of a body to a contact: `arm` leads to the centre of its
+/// sphere, and from there it is `length` against the normal, which points from j to i. For j, on
+/// whose side the normal leaves, `length` is to be given with a minus sign.
+template <class Real>
+inline Real lever_component(Real arm, Real length, Real normal) {
+  return arm - length * normal;
+}
+
+template <class Real>
+inline Vector2<Real> lever_in_plane(Vector2<Real> arm, Real length, Vector2<Real> normal) {
+  return {lever_component(arm.x, length, normal.x), lever_component(arm.y, length, normal.y)};
+}
+
+/// Velocity (or its change, or a small displacement) of the point at `lever` of a body whose centre
+/// has `velocity` and that turns at `spin` about z. Given a difference of two velocities and the
+/// spin -w of the other body, the result is that of the first relative to the second.
+template <class Real>
+inline Vector2<Real> velocity_at(Vector2<Real> velocity, Real spin, Vector2<Real> lever) {
+  return {velocity.x - spin * lever.y, velocity.y + spin * lever.x};
+}
+
+// ---- the law: linear spring and dashpot, Coulomb's cap (contact_law.h)
+
+/// Force of spring and dashpot along the normal, positive when it pushes. A contact has no tension:
+/// where this viscoelastic force is negative, the normal force is cut off at 0.
+template <class Real>
+inline Real viscoelastic_force(Real stiffness, Real overlap, Real damping,
+                               Real separation_velocity) {
+  return stiffness * overlap - damping * separation_velocity;
+}
+
+/// Force of spring and dashpot in the plane of contact, on i, before Coulomb's cap: the trial
+/// force of a contact that sticks.
+template <class Real>
+inline Real trial_force(Real stiffness, Real spring, Real damping, Real velocity) {
+  return -(stiffness * spring + damping * velocity);
+}
+
+/// A divisor of which the inverse is known.
+template <class Real>
+struct KnownInverse {
+  Real inverse;
+};
+template <class Real>
+inline Real operator/(Real dividend, KnownInverse<Real> divisor) {
+  return dividend * divisor.inverse;
+}
+
+/// Elongation of the tangential spring that alone carries `force`: that of a contact that slides.
+template <class Real, class Stiffness>
+inline Real carrying_spring(Real force, Stiffness stiffness) {
+  return -force / stiffness;
+}
+
+/// A contact that is evaluated one step after an evaluation of it, along its normal and one
+/// tangent. `Numbers` names the types Real and Mask.
+template <class Numbers>
+struct LastingContact {
+  typename Numbers::Real normal_stiffness, normal_damping, overlap, separation_velocity;
+  typename Numbers::Real viscoelastic_before;  // one step ago
+  typename Numbers::Real tangential_stiffness, tangential_damping, tangential_velocity;
+  KnownInverse<typename Numbers::Real> inverse_stiffness;  // of the tangential spring
+  typename Numbers::Real spring, spring_before;            // now and one step ago
+  typename Numbers::Real cap;                              // mu times the elastic normal force
+  typename Numbers::Mask slid;                             // one step ago
+};
+
+template <class Numbers>
+struct LastingForce {
+  typename Numbers::Real viscoelastic;        // along the normal before the cut-off at 0
+  typename Numbers::Real normal, tangential;  // on i
+  typename Numbers::Real spring;              // as the law wants it
+  typename Numbers::Mask pushes, slides;      // the branches: not cut off, at the cap
+  typename Numbers::Mask changes;             // of a branch within the step: the rest is void
+};
+
+/// The force on such a contact. Where `follows`, changes of branch are looked for as the limit of
+/// small steps wants it (friction_step.h): with a dashpot, sliding goes on for as long as the
+/// velocity has the direction of the spring.
+template <class Numbers>
+inline LastingForce<Numbers> lasting_force(const LastingContact<Numbers>& contact,
+                                           typename Numbers::Real zero, bool follows) {
+  typedef typename Numbers::Real Real;
+  typedef typename Numbers::Mask Mask;
+  LastingForce<Numbers> result;
+  result.viscoelastic = viscoelastic_force(contact.normal_stiffness, contact.overlap,
+                                           contact.normal_damping, contact.separation_velocity);
+  result.pushes = lane_less(zero, result.viscoelastic);
+  const Real trial = trial_force(contact.tangential_stiffness, contact.spring,
+                                 contact.tangential_damping, contact.tangential_velocity);
+  const Mask negative = lane_less(trial, zero);
+  result.slides = lane_less(contact.cap, lane_choice(negative, -trial, trial));
+  if (follows) {
+    const Mask damped = lane_less(zero, contact.tangential_damping);
+    const Mask goes_on = lane_less(zero, contact.tangential_velocity * contact.spring_before);
+    result.slides = lane_choice(damped & contact.slid, goes_on, result.slides);
+    const Mask pushed = lane_less(zero, contact.viscoelastic_before);
+    result.changes = (result.pushes ^ pushed) | (damped & (result.slides ^ contact.slid));
+  } else {
+    result.changes = lane_less(zero, zero);
+  }
+  const Real at_cap = lane_choice(negative, -contact.cap, contact.cap);
+  result.normal = lane_choice(result.pushes, result.viscoelastic, zero);
+  result.tangential = lane_choice(result.slides, at_cap, trial);
+  result.spring = lane_choice(result.slides, carrying_spring(at_cap, contact.inverse_stiffness),
+                              contact.spring);
+  return result;
+}

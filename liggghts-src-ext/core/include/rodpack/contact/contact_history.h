@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_CONTACT_CONTACT_HISTORY_H
+#define RODPACK_CONTACT_CONTACT_HISTORY_H
+
+#include <algorithm>
+#include <cstdint>
+
+#include "../motion/multistep.h"
+
+namespace rodpack {
+
+// What a contact remembers from one evaluation of its force to the next, and how that is stored as
+// an array of doubles: the only kind of value that LIGGGHTS keeps for a contact, and writes to
+// restart files. SI units.
+
+/// Of its normal force.
+struct NormalHistory {
+  /// Force of spring and dashpot at the last evaluation, before its cut-off at 0, N.
+  double viscoelastic = 0.0;
+  /// Rate of the force that was assumed at touch, N/s.
+  double touch_rate = 0.0;
+  /// The last evaluation was the first, in the step in which the surfaces touched.
+  bool just_touched = false;
+  /// Number of the step after the last evaluation, the one that it was made for; 0: never.
+  std::int64_t next_step = 0;
+};
+
+/// Of its tangential force: vectors lie in the plane of contact of the last evaluation.
+struct TangentialHistory {
+  /// Velocities that are kept, up to max_multistep_order; not stored.
+  int slots = 0;
+  /// Integral of the tangential velocity over the life of the contact, m.
+  double spring[3] = {0.0, 0.0, 0.0};
+  /// Tangential velocities of the last steps, newest first, m/s.
+  double velocity[max_multistep_order][3] = {};
+  /// How many evaluations are known of, at most slots + 1; 0: no contact.
+  int known = 0;
+  bool sliding = false;
+  /// Number of the step of the last evaluation.
+  std::int64_t step = 0;
+  /// Time from touch to the end of the step of touch, s.
+  double since = 0.0;
+  /// Constants of the contact, for its end: mu k_n (N/m), k_t (N/m), tangential dashpot (kg/s).
+  double friction = 0.0, stiffness = 0.0, damping = 0.0;
+
+  TangentialHistory() = default;
+  explicit TangentialHistory(int velocities) : slots(velocities) {}
+};
+
+/// Doubles that each takes.
+constexpr int stored_normal_values = 4;
+constexpr int stored_tangential_values(int slots) { return 3 * (slots + 1) + 6; }
+/// Both, the normal one first.
+constexpr int stored_history_values(int slots) {
+  return stored_normal_values + stored_tangential_values(slots);
+}
+
+inline NormalHistory unpack_normal(const double* stored) {
+  NormalHistory history;
+  history.viscoelastic = stored[0];
+  history.touch_rate = stored[1];
+  history.just_touched = stored[2] != 0.0;
+  history.next_step = static_cast<std::int64_t>(stored[3]);
+  return history;
+}
+
+inline void pack(const NormalHistory& history, double* stored) {
+  stored[0] = history.viscoelastic;
+  stored[1] = history.touch_rate;
+  stored[2] = history.just_touched ? 1.0 : 0.0;
+  stored[3] = static_cast<double>(history.next_step);
+}
+
+/// Sliding is stored as the sign of the number of evaluations.
+inline TangentialHistory unpack_tangential(const double* stored, int slots) {
+  TangentialHistory history(slots);
+  std::copy_n(stored, 3, history.spring);
+  for (int k = 0; k < slots; ++k) std::copy_n(stored + 3 * (k + 1), 3, history.velocity[k]);
+  const double* const rest = stored + 3 * (slots + 1);
+  history.sliding = rest[0] < 0.0;
+  history.known = static_cast<int>(history.sliding ? -rest[0] : rest[0]);
+  history.step = static_cast<std::int64_t>(rest[1]);
+  history.since = rest[2];
+  history.friction = rest[3];
+  history.stiffness = rest[4];
+  history.damping = rest[5];
+  return history;
+}
+
+inline void pack(const TangentialHistory& history, double* stored) {
+  std::copy_n(history.spring, 3, stored);
+  for (int k = 0; k < history.slots; ++k) std::copy_n(history.velocity[k], 3, stored + 3 * (k + 1));
+  double* const rest = stored + 3 * (history.slots + 1);
+  rest[0] = history.sliding ? -history.known : history.known;
+  rest[1] = static_cast<double>(history.step);
+  rest[2] = history.since;
+  rest[3] = history.friction;
+  rest[4] = history.stiffness;
+  rest[5] = history.damping;
+}
+
+}  // namespace rodpack
+
+#endif

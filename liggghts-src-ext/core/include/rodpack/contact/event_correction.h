@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_CONTACT_EVENT_CORRECTION_H
+#define RODPACK_CONTACT_EVENT_CORRECTION_H
+
+#include <cstddef>
+
+#include "../geometry/vector3.h"
+#include "../motion/rigid_motion.h"
+#include "contact_motion.h"
+#include "force_change.h"
+
+namespace rodpack {
+
+// What an event of a contact (force_change.h) does to its two bodies, and what these bodies then do
+// to their other contacts. SI units; vectors in the space frame.
+
+// ---- from the contact to its bodies
+
+/// The change of a contact's force on i, `since` seconds ago, that is `now` (N) and grows by `rate`
+/// (N/s) in a frame that turns with the contact.
+template <class Contact>
+inline ForceChange change_in_space(const Contact& contact, const double (&now)[3],
+                                   const double (&rate)[3], double since) {
+  double turning[3];
+  rate_in_space(contact, now, rate, turning);
+  return linear_change(now, turning, since);
+}
+
+/// Gives both sides of a contact their part of the change of the force on i: calls add(side, force,
+/// lever, lever_rate) with side 1 for i and -1 for j, the change of the force on that side, and the
+/// lever from the centre of its sphere. A wall gets none.
+template <class Contact, class Add>
+inline void share_change(const Contact& contact, const ForceChange& on_i, Add add) {
+  double turn[3], lever[3], rate[3];
+  normal_turning_rate(contact, turn);
+  contact_lever(contact, turn, 1.0, lever, rate);
+  add(1, on_i, lever, rate);
+  if (contact.is_wall) return;
+  ForceChange on_j = on_i;
+  on_j *= -1.0;
+  contact_lever(contact, turn, -1.0, lever, rate);
+  add(-1, on_j, lever, rate);
+}
+
+/// The sum over the contacts of a body.
+struct BodyChange {
+  ForceChange force, torque;  // torque about the centre of mass
+};
+
+// ---- what it does to a body
+
+/// By how much the motion of a body has changed in the last step because forces jumped, as seen at
+/// the end of that step. Vectors of the plane: x, y and rotation about z.
+struct PlanarJump {
+  double acceleration[3], velocity[3], displacement[3];
+  double cosine, sine;  // orientation of the body then
+};
+
+/// The same in space, of a point of the body and of the body's rotation.
+struct SpatialJump {
+  double acceleration[3], velocity[3], displacement[3];
+  double angular_acceleration[3], angular_velocity[3], rotation[3];
+};
+static_assert(offsetof(SpatialJump, acceleration) == 0 && offsetof(SpatialJump, velocity) == 24 &&
+                  offsetof(SpatialJump, displacement) == 48 &&
+                  offsetof(SpatialJump, angular_acceleration) == 72 &&
+                  offsetof(SpatialJump, angular_velocity) == 96 &&
+                  offsetof(SpatialJump, rotation) == 120 && sizeof(SpatialJump) == 144,
+              "jumps are stored for each sphere, in restart files too, as plain doubles");
+
+/// For a body in planar motion. Divisor: double, or KnownInverse<double>.
+template <class Divisor>
+struct PlanarCorrection {
+  Divisor mass, moment;  // kg; kg m^2 about z
+
+  /// What the motion of the last step has missed: displacement and velocity are still to be added
+  /// to those of the body, whose orientation is to be set.
+  PlanarJump missed(const BodyChange& change) const {
+    PlanarJump result = {};
+    for (int d = 0; d < 3; ++d) {
+      result.acceleration[d] = divided(change, d, [d](const ForceChange& c) { return c.now[d]; });
+      result.velocity[d] = divided(change, d, [d](const ForceChange& c) { return c.impulse[d]; });
+      result.displacement[d] =
+          divided(change, d, [d](const ForceChange& c) { return c.impulse_integral[d]; });
+    }
+    return result;
+  }
+
+  /// What is to be added to the rates that were recorded `age` seconds ago, for the records to
+  /// continue the new branch of the forces backwards.
+  PlanarRates past(const BodyChange& change, double age) const {
+    double velocity[3], acceleration[3];
+    for (int d = 0; d < 3; ++d) {
+      velocity[d] =
+          divided(change, d, [=](const ForceChange& c) { return c.past_momentum(d, age); });
+      acceleration[d] =
+          divided(change, d, [=](const ForceChange& c) { return c.past_force(d, age); });
+    }
+    return {{velocity[0], velocity[1]},
+            velocity[2],
+            {acceleration[0], acceleration[1]},
+            acceleration[2]};
+  }
+
+ private:
+  template <class Component>
+  double divided(const BodyChange& change, int d, Component component) const {
+    return d < 2 ? component(change.force) / mass : component(change.torque) / moment;
+  }
+};
+
+/// For a body in space.
+struct SpatialCorrection {
+  double mass;           // kg
+  double inertia[3];     // principal moments, kg m^2
+  double quaternion[4];  // body to space
+
+  SpatialJump missed(const BodyChange& change) const {
+    SpatialJump result;
+    for (int d = 0; d < 3; ++d) {
+      result.acceleration[d] = change.force.now[d] / mass;
+      result.velocity[d] = change.force.impulse[d] / mass;
+      result.displacement[d] = change.force.impulse_integral[d] / mass;
+    }
+    angular_velocity(quaternion, change.torque.now, inertia, result.angular_acceleration);
+    angular_velocity(quaternion, change.torque.impulse, inertia, result.angular_velocity);
+    angular_velocity(quaternion, change.torque.impulse_integral, inertia, result.rotation);
+    return result;
+  }
+
+  SpatialRates past(const BodyChange& change, double age) const {
+    SpatialRates result;
+    double momentum[3], turn[3];
+    for (int d = 0; d < 3; ++d) {
+      result.velocity[d] = change.force.past_momentum(d, age) / mass;
+      result.acceleration[d] = change.force.past_force(d, age) / mass;
+      result.torque[d] = change.torque.past_force(d, age);
+      momentum[d] = change.torque.past_momentum(d, age);
+    }
+    angular_velocity(quaternion, momentum, inertia, turn);
+    half_product(turn, quaternion, result.quaternion_rate);
+    return result;
+  }
+};
+
+// ---- from a body to its contacts, in the step after
+
+/// By how much the motion of i's surface relative to j's, at a contact, has changed in the step
+/// before because forces on their bodies jumped; as seen at the end of that step.
+struct ContactJump {
+  double acceleration[3], velocity[3], displacement[3];
+};
+
+/// The jump of another point of the body, `arm` away.
+inline SpatialJump jump_at(const SpatialJump& jump, const double (&arm)[3]) {
+  SpatialJump result = jump;
+  velocity_at(jump.acceleration, jump.angular_acceleration, arm, result.acceleration);
+  velocity_at(jump.velocity, jump.angular_velocity, arm, result.velocity);
+  velocity_at(jump.displacement, jump.rotation, arm, result.displacement);
+  return result;
+}
+
+/// Of the centre of mass.
+inline SpatialJump to_space(const PlanarJump& jump) {
+  SpatialJump result = {};
+  for (int d = 0; d < 2; ++d) {
+    result.acceleration[d] = jump.acceleration[d];
+    result.velocity[d] = jump.velocity[d];
+    result.displacement[d] = jump.displacement[d];
+  }
+  result.angular_acceleration[2] = jump.acceleration[2];
+  result.angular_velocity[2] = jump.velocity[2];
+  result.rotation[2] = jump.displacement[2];
+  return result;
+}
+
+/// Of a point of a body in planar motion; its orientation is to be set.
+inline PlanarJump to_plane(const SpatialJump& jump) {
+  PlanarJump result = {};
+  for (int d = 0; d < 2; ++d) {
+    result.acceleration[d] = jump.acceleration[d];
+    result.velocity[d] = jump.velocity[d];
+    result.displacement[d] = jump.displacement[d];
+  }
+  result.acceleration[2] = jump.angular_acceleration[2];
+  result.velocity[2] = jump.angular_velocity[2];
+  result.displacement[2] = jump.rotation[2];
+  return result;
+}
+
+/// Adds what a jump of the sphere on a side of a contact (1: i, -1: j) does to the contact.
+template <class Contact>
+inline void add_jump(const Contact& contact, double side, const SpatialJump& of_sphere,
+                     ContactJump& sum) {
+  const double length = side > 0.0 ? contact.cri : contact.crj;
+  double lever[3];
+  for (int d = 0; d < 3; ++d) lever[d] = lever_component(0.0, side * length, contact.en[d]);
+  const SpatialJump surface = jump_at(of_sphere, lever);
+  for (int d = 0; d < 3; ++d) {
+    sum.acceleration[d] += side * surface.acceleration[d];
+    sum.velocity[d] += side * surface.velocity[d];
+    sum.displacement[d] += side * surface.displacement[d];
+  }
+}
+
+/// The same of the body in planar motion on that side, in whose frame its sphere's centre is at
+/// `offset`.
+template <class Contact>
+inline void add_jump(const Contact& contact, double side, const PlanarJump& of_body,
+                     const double (&offset)[2], ContactJump& sum) {
+  const double length = side > 0.0 ? contact.cri : contact.crj;
+  const Vector2<double> arm = turned<double>(of_body.cosine, of_body.sine, {offset[0], offset[1]});
+  const Vector2<double> to_contact =
+      lever_in_plane<double>(arm, side * length, {contact.en[0], contact.en[1]});
+  const auto add = [&](const double(&of_centre)[3], double(&result)[3]) {
+    const Vector2<double> surface =
+        velocity_at<double>({of_centre[0], of_centre[1]}, of_centre[2], to_contact);
+    result[0] += side * surface.x;
+    result[1] += side * surface.y;
+  };
+  add(of_body.acceleration, sum.acceleration);
+  add(of_body.velocity, sum.velocity);
+  add(of_body.displacement, sum.displacement);
+}
+
+}  // namespace rodpack
+
+#endif

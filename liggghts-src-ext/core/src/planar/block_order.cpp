@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where blocks lie: in the order of the parts of the bodies, so that forces follow the motion.
+#include <algorithm>
+#include <cstdint>
+
+#include "blocks.h"
+#include "pipeline.h"
+
+namespace rodpack {
+
+namespace {
+
+// Sorting key of the first block that does not touch.
+const std::uint64_t apart = std::uint64_t{1} << 63;
+
+/// Touching blocks first, each kind in the order in which their bodies have both moved.
+std::uint64_t sorting_key(const PlanarBlockHead& head) {
+  const std::uint64_t later = std::max(head.i, head.j);
+  const std::uint32_t earlier = std::min(head.i, head.j);
+  return (head.alive != 0 ? 0 : apart) | later << 32 | earlier;
+}
+
+}  // namespace
+
+void PlanarBlockPool::sort(const PlanarParts& parts) {
+  using Key = std::pair<std::uint64_t, int>;
+  std::vector<Key>& keys = work_.keys;
+  std::vector<int>& order = work_.order;  // the present place of the k-th block, -1 for a hole
+  keys.clear();
+  for (int k = 0; k < size(); ++k)
+    if (heads_[k].used != 0) keys.push_back({sorting_key(heads_[k]), k});
+  std::sort(keys.begin(), keys.end());
+  const auto others = std::lower_bound(keys.begin(), keys.end(), Key{apart, 0});
+  const int touching = whole_groups(static_cast<int>(others - keys.begin()));
+  order.assign(touching, -1);
+  std::transform(keys.begin(), others, order.begin(), [](const Key& key) { return key.second; });
+  for (auto key = others; key != keys.end(); ++key) order.push_back(key->second);
+  reorder(order);
+  find_ends(parts, 0, touching, ends_of_touching_);
+  find_ends(parts, touching, sorted_, ends_of_others_);
+  for (EarlyHole& hole : early_holes_) hole.part = part_of(hole.place);
+}
+
+void PlanarBlockPool::reorder(const std::vector<int>& order) {
+  heads_.swap(work_.heads);
+  laws_.swap(work_.laws);
+  all_values_.swap(work_.values);
+  cold_.swap(work_.cold);
+  for (std::vector<int>& list : of_body_) list.clear();
+  early_holes_.clear();
+  holes_.clear();
+  filled_ = 0;
+  const int count = static_cast<int>(order.size());
+  sorted_ = whole_groups(count);
+  resize_blocks(count, count);
+  for (int k = 0; k < count; ++k) {
+    if (order[k] < 0) {
+      make_hole(k);
+      continue;
+    }
+    ++filled_;
+    heads_[k] = work_.heads[order[k]];
+    laws_[k] = work_.laws[order[k]];
+    cold_[k] = work_.cold[order[k]];
+    const double* const from = &work_.values[values_place(order[k])];
+    double* const to = values(k);
+    for (int row = 0; row < rows(); ++row)
+      std::copy_n(from + row * planar_row, planar_lanes, to + row * planar_row);
+    of_body_[heads_[k].i].push_back(k);
+    if (heads_[k].j >= 0) of_body_[heads_[k].j].push_back(k);
+  }
+}
+
+/// Where the blocks of each part end among those from `first` up to `end`. Holes name the first
+/// body, so that none is in a part before the blocks around it.
+void PlanarBlockPool::find_ends(const PlanarParts& parts, int first, int end,
+                                std::vector<int>& ends) const {
+  ends.clear();
+  for (int part = 0; part < parts.last(); ++part) {
+    while (first < end && parts.of_pair(heads_[first].i, heads_[first].j) <= part) ++first;
+    ends.push_back(first - first % planar_group);
+  }
+  ends.push_back(end);
+}
+
+PlanarRange PlanarBlockPool::touching(int part) const {
+  if (ends_of_touching_.empty()) return {0, 0};
+  return {part == 0 ? 0 : ends_of_touching_[part - 1], ends_of_touching_[part]};
+}
+
+PlanarRange PlanarBlockPool::others(int part) const {
+  const int last = static_cast<int>(ends_of_others_.size()) - 1;
+  if (last < 0) return {0, 0};
+  return {part == 0 ? ends_of_touching_[last] : ends_of_others_[part - 1],
+          part == last ? size() : ends_of_others_[part]};
+}
+
+int PlanarBlockPool::part_of(int place) const {
+  const int last = static_cast<int>(ends_of_others_.size()) - 1;
+  if (place >= sorted_ || last < 0) return std::max(last, 0);
+  const std::vector<int>& ends =
+      place < ends_of_touching_[last] ? ends_of_touching_ : ends_of_others_;
+  return static_cast<int>(std::upper_bound(ends.begin(), ends.end(), place) - ends.begin());
+}
+
+void PlanarBlocks::sort(const PlanarParts& parts, PlanarDependencies& dependencies) {
+  for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
+    pool->sort(parts);
+    for (int place = 0; place < pool->size(); ++place) {
+      const PlanarBlockHead& head = pool->head(place);
+      if (head.used != 0) dependencies.add_contact(head.i, head.j, pool->part_of(place));
+    }
+  }
+}
+
+}  // namespace rodpack

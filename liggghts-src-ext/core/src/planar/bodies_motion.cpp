@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How bodies move in a step, and what the events of their contacts correct.
+#include <algorithm>
+#include <cmath>
+
+#include "bodies.h"
+#include "events.h"
+
+namespace rodpack {
+
+void PlanarBodies::make_missed_motion(int body) {
+  PlanarKinematics& frame = kinematics_[body];
+  PlanarVector &displacement = missed_displacement_[body], &velocity = missed_velocity_[body];
+  frame.x += displacement.d[0];
+  frame.y += displacement.d[1];
+  const double c = std::cos(displacement.d[2]), s = std::sin(displacement.d[2]);
+  const double cosine = frame.cosine * c - frame.sine * s;
+  frame.sine = frame.sine * c + frame.cosine * s;
+  frame.cosine = cosine;
+  for (int d = 0; d < 3; ++d) frame.velocity[d] += velocity.d[d];
+  displacement = velocity = PlanarVector();
+}
+
+/// As fill_kinematic_history() in rigid_motion.h.
+void PlanarBodies::fill_past(int body, long step) {
+  for (int k = 0; k < settings_.order - 1; ++k) {
+    past_acceleration_[past(k, step)][body] = PlanarVector();
+    for (int d = 0; d < 3; ++d)
+      past_velocity_[past(k, step)][body].d[d] =
+          kinematics_[body].velocity[d] -
+          (k + 1) * settings_.dt * inertia_[body].d[d] * loads_[body].d[d];
+  }
+}
+
+void PlanarBodies::prepare(int part, long step) {
+  for (int body : missed_[part]) make_missed_motion(body);
+  missed_[part].clear();
+  for (int body : newborn_[part]) fill_past(body, step);
+  newborn_[part].clear();
+}
+
+void PlanarBodies::set_arguments(int part, long step, PlanarAdvance& arguments) {
+  const int order = settings_.order;
+  arguments.bodies = parts_.bodies(part);
+  arguments.order = order;
+  arguments.dt = settings_.dt;
+  arguments.kinematics = kinematics_.data();
+  arguments.loads = loads_.data();
+  arguments.gravity = {{settings_.gravity[0], settings_.gravity[1], 0.0, 0.0}};
+  arguments.inertia = inertia_.data();
+  for (int k = 0; k < order - 1; ++k) {
+    arguments.past_velocity[k] = past_velocity_[past(k, step)].data();
+    arguments.past_acceleration[k] = past_acceleration_[past(k, step)].data();
+  }
+  arguments.evaluations = evaluations_.data();
+  const MultistepWeights& of_velocity = adams_bashforth_weights(order);
+  std::copy(of_velocity.begin(), of_velocity.end(), arguments.velocity_weights);
+  for (int known = 1; known <= order + 1; ++known) {
+    const MultistepWeights& of_force = multistep_weights(order, known);
+    std::copy(of_force.begin(), of_force.end(), arguments.force_weights[known]);
+  }
+}
+
+void PlanarBodies::begin_loads() {
+  std::fill(loads_.begin(), loads_.end(), PlanarVector());
+  for (int b = 0; b < owned(); ++b)
+    for (int d = 0; d < 2; ++d) loads_[b].d[d] = inertia_[b].d[3] * settings_.gravity[d];
+}
+
+/// Keeps what the forces' changes of branch have missed, and corrects the records of the past so
+/// that they continue the new branches backwards (event_correction.h).
+void PlanarBodies::apply_events(int part, long step, PlanarEvents& events) {
+  events.forget_jumps(part);
+  for (const PlanarEvents::Changes& change : events.changes(part)) {
+    const int b = change.body;
+    if (b >= owned()) continue;  // its own rank sees all of its contacts
+    typedef KnownInverse<double> Inverse;
+    const PlanarCorrection<Inverse> correction = {Inverse{inertia_[b].d[0]},
+                                                  Inverse{inertia_[b].d[2]}};
+    PlanarJump jump = correction.missed(change.sum);
+    jump.cosine = kinematics_[b].cosine;
+    jump.sine = kinematics_[b].sine;
+    std::copy(jump.velocity, jump.velocity + 3, missed_velocity_[b].d);
+    std::copy(jump.displacement, jump.displacement + 3, missed_displacement_[b].d);
+    missed_[part].push_back(b);
+    if (change.jumps) events.set_jumped(b, jump);
+    if (evaluations_[b] == 0) continue;  // no past yet
+    for (int k = 1; k < settings_.order; ++k) {
+      const PlanarRates gain = correction.past(change.sum, k * settings_.dt);
+      double *const velocity = past_velocity_[past(k - 1, step)][b].d,
+                    *const acceleration = past_acceleration_[past(k - 1, step)][b].d;
+      for (int d = 0; d < 2; ++d) {
+        velocity[d] += gain.velocity[d];
+        acceleration[d] += gain.acceleration[d];
+      }
+      velocity[2] += gain.angular_velocity;
+      acceleration[2] += gain.angular_acceleration;
+    }
+  }
+  events.forget_changes(part);
+}
+
+}  // namespace rodpack

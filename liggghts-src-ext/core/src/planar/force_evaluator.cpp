@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Contact forces: what the SIMD loops are given, and the general path, one contact at a time.
+#include <algorithm>
+#include <cmath>
+
+#include "force_evaluator.h"
+#include "rodpack/contact/normal_history.h"
+#include "rodpack/contact/tangential_history.h"
+
+namespace rodpack {
+
+PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const PlanarKernel& kernel,
+                                           PlanarBodies& of_bodies,
+                                           const PlanarNeighbours& neighbours, PlanarBlocks& blocks,
+                                           PlanarEvents& of_contacts)
+    : settings_(given),
+      slots_(blocks.pairs.slots()),
+      follows_(given.events && given.order > 1),
+      bodies_(of_bodies),
+      neighbours_(neighbours),
+      blocks_(blocks),
+      events_(of_contacts),
+      kernel_(kernel) {
+  for (const PlanarWall& wall : settings_.walls)
+    wall_lines_.push_back({wall.axis == 0 ? 1.0 : 0.0, wall.axis == 1 ? 1.0 : 0.0, wall.position,
+                           static_cast<double>(wall.free_side)});
+  for (const PlanarLaw& law : settings_.laws)
+    laws_.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
+}
+
+void PlanarForceEvaluator::evaluate(int part, long step) {
+  step_ = step;
+  evaluate_general(blocks_.pairs, kernel_.pairs(arguments(blocks_.pairs, part)));
+  evaluate_general(blocks_.at_walls, kernel_.walls(arguments(blocks_.at_walls, part)));
+}
+
+PlanarForces PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
+  PlanarForces forces = PlanarForces();
+  pool.set_arguments(part, forces);
+  forces.kinematics = bodies_.kinematics_array();
+  forces.moved = neighbours_.moved();
+  forces.loads = bodies_.load_array();
+  forces.jumped = events_.jumped();
+  forces.laws = laws_.data();
+  forces.one_law = laws_.size() == 1;
+  forces.walls = wall_lines_.data();
+  forces.order = settings_.order;
+  const MultistepWeights& weights = adams_bashforth_weights(settings_.order);
+  for (int k = 0; k < settings_.order; ++k) forces.spring_weights[k] = settings_.dt * weights[k];
+  forces.follows = follows_;
+  if (static_cast<int>(work_.general.size()) < pool.size()) {
+    work_.general.resize(pool.size());
+    work_.awake.resize(pool.size());
+  }
+  forces.general = work_.general.data();
+  forces.awake = work_.awake.data();
+  return forces;
+}
+
+/// Evaluates the lanes that the SIMD loop has left, one at a time.
+void PlanarForceEvaluator::evaluate_general(PlanarBlockPool& pool, int entries) {
+  for (int k = 0; k < entries; ++k)
+    for (int lane = 0; lane < planar_lanes; ++lane)
+      if (work_.general[k].lanes & 1 << lane) evaluate_lane(pool, work_.general[k].place, lane);
+}
+
+PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& pool, int place,
+                                                       int lane) const {
+  PlanarLaneState of_lane;
+  pool.save(place, lane, of_lane);
+  PlanarContactState state;
+  state.body_i = of_lane.i;
+  state.sphere_i = of_lane.sphere_i;
+  state.body_j = of_lane.j;
+  state.sphere_j = of_lane.sphere_j;
+  state.history = of_lane.history;
+  PlanarContact contact;
+  place_lane(pool, place, lane, contact);
+  state.constants[0] = laws_[pool.law(place)].friction;
+  state.constants[1] = contact.kt;
+  state.constants[2] = contact.gammat;
+  std::copy(contact.en, contact.en + 2, state.normal);
+  return state;
+}
+
+/// Sets the contact of a lane; false if its spheres do not overlap.
+bool PlanarForceEvaluator::place_lane(const PlanarBlockPool& pool, int place, int lane,
+                                      PlanarContact& contact) const {
+  const PlanarBlockHead& head = pool.head(place);
+  const double* const values = pool.values(place) + lane;
+  const PlanarLawConstants& law = laws_[pool.law(place)];
+  contact.body_i = head.i;
+  contact.body_j = head.j;
+  contact.offset_i[0] = values[planar_xi];
+  contact.offset_i[1] = values[planar_yi];
+  contact.offset_j[0] = values[planar_xj];
+  contact.offset_j[1] = values[planar_yj];
+  contact.radi = bodies_.kinematics(head.i).radius;
+  contact.radj = head.j < 0 ? 0.0 : bodies_.kinematics(head.j).radius;
+  contact.kn = law.kn;
+  contact.kt = law.kt;
+  const double* const gammas = pool.values(place) + planar_gammas;
+  contact.gamman = gammas[0];
+  contact.gammat = gammas[1];
+  if (head.j < 0) {
+    place_wall(contact, bodies_.kinematics(head.i), settings_.walls[-1 - head.j]);
+    return contact.deltan >= 0.0;
+  }
+  place_pair(contact, bodies_.kinematics(head.i), bodies_.kinematics(head.j));
+  return contact.rsq < contact.radsum * contact.radsum;
+}
+
+void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
+                                 const double (&tangential)[3]) {
+  const Vector2<double> force = {normal * contact.en[0] + tangential[0],
+                                 normal * contact.en[1] + tangential[1]};
+  PlanarVector* const loads = bodies_.load_array();
+  double* load = loads[contact.body_i].d;
+  load[0] += force.x;
+  load[1] += force.y;
+  load[2] += cross_z(contact.lever_i(), force);
+  if (contact.is_wall) return;
+  load = loads[contact.body_j].d;
+  load[0] -= force.x;
+  load[1] -= force.y;
+  load[2] -= cross_z(contact.lever_j(), force);
+}
+
+void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
+  const bool alive = (pool.head(place).alive & 1 << lane) != 0;
+  const double friction = laws_[pool.law(place)].friction;
+  PlanarContact contact;
+  const bool touches = place_lane(pool, place, lane, contact);
+  if (!touches && !alive) return;
+  if (touches && outlast_jump(pool, place, lane, contact)) return;
+
+  PlanarLaneState lane_state;
+  pool.save(place, lane, lane_state);
+  // The history in space, already turned into the present plane of contact.
+  NormalHistory normal_history;
+  TangentialHistory history(slots_);
+  to_space(lane_state.history, contact.normal(), normal_history, history);
+  if (!alive) history.known = 0;
+  history.step = step_ - 1;
+  history.friction = friction;
+  history.stiffness = contact.kt;
+  history.damping = contact.gammat;
+  PlanarEvents* const followed = follows_ ? &events_ : nullptr;
+
+  if (!touches) {
+    const bool close = contact.is_wall
+                           ? -contact.deltan < (settings_.close_factor - 1.0) * contact.radi
+                           : contact.r < settings_.close_factor * contact.radsum;
+    if (followed && close) {
+      end_normal_force(contact, normal_history, settings_.dt, *followed);
+      end_tangential_force(contact, history, tangential_step(), *followed);
+    }
+    pool.clear(place, lane);
+    return;
+  }
+
+  ++general_contacts_;
+  const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
+  follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings_.dt, followed);
+  const TangentialForce tangential =
+      tangential_contact_force(contact, history, friction, true, tangential_step(),
+                               static_cast<const PlanarEvents*>(followed), followed);
+  apply(contact, normal.total, tangential.force);
+
+  lane_state.history = to_plane(normal_history, history, contact.normal());
+  lane_state.full_history = history.known == full_count();
+  pool.restore(place, lane, lane_state, true);
+}
+
+}  // namespace rodpack

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_PLANAR_HALO_MESSAGES_H
+#define RODPACK_PLANAR_HALO_MESSAGES_H
+
+#include <cstddef>
+#include <vector>
+
+#include "contact.h"
+#include "rodpack/planar/scene.h"
+
+namespace rodpack {
+
+// What ranks tell each other of their bodies, as lists of doubles. A pack function writes to `to`,
+// an unpack function reads from `from`; both return where they have ended.
+
+/// Position, orientation and velocity of a body: what its ghosts need in every step.
+double* pack_kinematics(const PlanarKinematics& frame, double* to);
+/// Leaves the radius as it is.
+const double* unpack_kinematics(const double* from, PlanarKinematics& frame);
+
+/// What an event did to a body.
+double* pack_change(const PlanarJump& change, double* to);
+const double* unpack_change(const double* from, PlanarJump& change);
+
+/// The largest number of doubles of a message of one step about so many bodies.
+std::size_t most_step_values(std::size_t bodies);
+
+/// All that a new ghost needs of its body: what is constant, the kinematics, the last event.
+void append_body(const PlanarBody& body, std::vector<double>& to);
+const double* unpack_body(const double* from, PlanarBody& body);
+
+}  // namespace rodpack
+
+#endif

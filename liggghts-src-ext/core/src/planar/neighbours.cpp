@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "neighbours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rodpack/contact/contact_law.h"
+
+namespace rodpack {
+
+namespace {
+
+// What is found next to a body when it is listed may be some steps of the pass ahead of it, and
+// must not touch it before. So a body is listed when it is about to leave its skin in what is left
+// of the pass, and this much before, for what the forces of these steps may add.
+constexpr double before_its_skin = 0.98;
+
+}  // namespace
+
+PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarBodies& bodies,
+                                   const PlanarParts& parts, PlanarBlocks& blocks,
+                                   PlanarDependencies& dependencies)
+    : settings_(settings),
+      bodies_(bodies),
+      parts_(parts),
+      blocks_(blocks),
+      dependencies_(dependencies) {
+  resize(bodies.size());
+}
+
+void PlanarNeighbours::resize(int bodies) {
+  references_.resize(bodies, PlanarReference());
+  const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
+  PlanarReferenceLanes nobody = PlanarReferenceLanes();
+  std::fill_n(nobody.skin, body_lanes, std::numeric_limits<double>::infinity());
+  reference_lanes_.resize(registers, nobody);
+  moved_.resize(registers * body_lanes);
+  for (PlanarBlockPool* pool : {&blocks_.pairs, &blocks_.at_walls}) pool->resize(bodies);
+}
+
+/// Makes the present position of the body its reference position, and sets its skin.
+void PlanarNeighbours::set_reference(int body) {
+  const PlanarKinematics& frame = bodies_.kinematics(body);
+  const double displacement = bodies_.step_displacement(body);
+  const double skin = std::min(settings_.max_skin,
+                               std::max(settings_.min_skin, settings_.skin_steps * displacement));
+  references_[body] = {frame.x, frame.y, frame.cosine, frame.sine, bodies_.info(body).reach, skin};
+  set_lanes(body, references_[body]);
+  moved_[body] = 0.0;
+  // The bound in `moved_` may be the square root of 2 times too large.
+  const double covered = before_its_skin * skin / (std::sqrt(2.0) * displacement);
+  if (covered < steps_of_listed_) {
+    steps_of_listed_ = std::max(1, static_cast<int>(covered));
+    steps_within_skins_ = std::min(steps_within_skins_, steps_of_listed_);
+  }
+}
+
+void PlanarNeighbours::set_lanes(int body, const PlanarReference& at) {
+  PlanarReferenceLanes& lanes = reference_lanes_[body / body_lanes];
+  const int lane = body % body_lanes;
+  lanes.x[lane] = at.x;
+  lanes.y[lane] = at.y;
+  lanes.cosine[lane] = at.cosine;
+  lanes.sine[lane] = at.sine;
+  lanes.reach[lane] = at.reach;
+  lanes.skin[lane] = before_its_skin * at.skin;
+}
+
+void PlanarNeighbours::renew_steps_within_skins() {
+  steps_within_skins_ = steps_of_listed_;
+  steps_of_listed_ = most_steps_in_pass;
+}
+
+void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvance& arguments) {
+  arguments.steps_ahead = steps_ahead;
+  arguments.references = reference_lanes_.data();
+  arguments.moved = moved_.data();
+}
+
+void PlanarNeighbours::list_all() {
+  const int count = bodies_.size();
+  std::vector<double> x(count), y(count);
+  for (int k = 0; k < count; ++k) {
+    set_reference(k);
+    x[k] = references_[k].x;
+    y[k] = references_[k].y;
+  }
+  grid_.build(x, y, 2.0 * (longest_reach_ + settings_.max_skin));
+  exist_ = true;
+  for (int k = 0; k < count; ++k) list_near(k, k);
+}
+
+void PlanarNeighbours::list_anew(const std::vector<int>& bodies) {
+  for (int body : bodies) {
+    set_reference(body);
+    grid_.move(body, references_[body].x, references_[body].y);
+    list(body);
+  }
+}
+
+void PlanarNeighbours::add_ghost(int ghost) {
+  set_reference(ghost);
+  if (exist_) grid_.add(ghost, references_[ghost].x, references_[ghost].y);
+}
+
+void PlanarNeighbours::remove_ghost(int ghost) {
+  blocks_.pairs.remove_all_of(ghost);
+  if (exist_) grid_.remove(ghost);
+}
+
+/// The SIMD loop that advances the bodies of this rank does the same with them.
+bool PlanarNeighbours::follow_ghost(int ghost) {
+  const PlanarKinematics& frame = bodies_.kinematics(ghost);
+  const PlanarReference& at = references_[ghost];
+  const double rx = frame.x - at.x, ry = frame.y - at.y;
+  const double tc = frame.cosine - at.cosine, ts = frame.sine - at.sine;
+  double& moved = moved_[ghost];
+  moved = std::sqrt(2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts)));
+  return exist_ && moved > before_its_skin * at.skin;
+}
+
+/// Makes the blocks of a body with the bodies before `end`, and with walls.
+void PlanarNeighbours::list_near(int body, int end) {
+  const PlanarReference& at = references_[body];
+  const int owned = bodies_.owned();
+  std::vector<int>& near = work_.near;
+  near.clear();
+  grid_.around(at.x, at.y, [&](int other) {
+    if (other == body || other >= end) return;
+    if (other >= owned && body >= owned) return;  // contacts of two ghosts are their ranks' affair
+    const PlanarReference& there = references_[other];
+    const double dx = at.x - there.x, dy = at.y - there.y;
+    const double far = at.reach + there.reach + at.skin + there.skin;
+    if (dx * dx + dy * dy < far * far) near.push_back(other);
+  });
+  for (int other : near) {
+    const bool first = bodies_.comes_first(body, other);
+    list_pair(first ? body : other, first ? other : body);
+  }
+  if (body < owned) list_walls(body);
+}
+
+/// Makes the blocks of a body anew; contacts keep their history.
+void PlanarNeighbours::list(int body) {
+  ++listings_;
+  std::vector<PlanarLaneState>& contacts = work_.contacts;
+  contacts.clear();
+  for (PlanarBlockPool* pool : {&blocks_.pairs, &blocks_.at_walls}) {
+    for (const int place : pool->of_body(body))
+      for (int lane = 0; lane < planar_lanes; ++lane)
+        if (pool->head(place).alive & 1 << lane) {
+          contacts.push_back(PlanarLaneState());
+          pool->save(place, lane, contacts.back());
+        }
+    pool->remove_all_of(body);
+  }
+  list_near(body, bodies_.size());
+  for (const PlanarLaneState& contact : contacts) blocks_.restore(contact);
+}
+
+PlanarChain PlanarNeighbours::chain(int body) const {
+  const PlanarBodyInfo& info = bodies_.info(body);
+  return {bodies_.spheres(body), info.count, info.radius, references_[body]};
+}
+
+void PlanarNeighbours::list_pair(int i, int j) {
+  work_.candidates.clear();
+  find_candidates(chain(i), chain(j), work_.candidates);
+  add_blocks(i, j);
+}
+
+void PlanarNeighbours::list_walls(int i) {
+  for (std::size_t w = 0; w < settings_.walls.size(); ++w) {
+    work_.candidates.clear();
+    find_candidates(chain(i), settings_.walls[w], work_.candidates);
+    add_blocks(i, -1 - static_cast<int>(w));
+  }
+}
+
+/// The coefficients of contacts of body i with body j, or with wall -1 - j.
+PlanarNeighbours::Coefficients PlanarNeighbours::coefficients(int i, int j) const {
+  const PlanarBodyInfo& of_i = bodies_.info(i);
+  const double m = of_i.mass;
+  double mass = m;
+  int type_j;
+  if (j < 0) {
+    type_j = settings_.walls[-1 - j].type;
+  } else {
+    const PlanarBodyInfo& of_j = bodies_.info(j);
+    type_j = of_j.type;
+    mass = m * of_j.mass / (m + of_j.mass);
+  }
+  const int place = of_i.type * settings_.types + type_j;
+  const PlanarLaw& law = settings_.laws[place];
+  return {
+      place,
+      {damping_coefficient(law.eta_n, mass, law.kn), damping_coefficient(law.eta_t, mass, law.kt)}};
+}
+
+/// Puts the candidates of i and j into blocks, the closest first.
+void PlanarNeighbours::add_blocks(int i, int j) {
+  std::vector<PlanarCandidate>& candidates = work_.candidates;
+  if (candidates.empty()) return;
+  sort_candidates(candidates);
+  const Coefficients of_both = coefficients(i, j);
+  PlanarBlockPool& pool = blocks_.of(j);
+  const int count = static_cast<int>(candidates.size());
+  for (int first = 0; first < count; first += planar_lanes) {
+    PlanarBlockColdData cold = PlanarBlockColdData();
+    const int used = std::min(planar_lanes, count - first);
+    PlanarBlockHead head = PlanarBlockHead();
+    head.i = i;
+    head.j = j;
+    head.used = static_cast<std::uint8_t>((1 << used) - 1);
+    head.gap = std::nextafter(static_cast<float>(candidates[first].gap),
+                              -std::numeric_limits<float>::infinity());
+    for (int lane = 0; lane < planar_lanes; ++lane) {
+      const PlanarCandidate& pair = candidates[first + (lane < used ? lane : 0)];
+      cold.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);
+      cold.sphere_j[lane] = static_cast<std::uint16_t>(pair.sphere_j);
+    }
+    const int place = pool.add(parts_.of_pair(i, j), head, of_both.law, cold);
+    dependencies_.add_contact(i, j, pool.part_of(place));
+    fill_block(pool, place, of_both.gamma);
+  }
+}
+
+void PlanarNeighbours::fill_block(PlanarBlockPool& pool, int place,
+                                  const double (&gammas)[2]) const {
+  const PlanarBlockHead& head = pool.head(place);
+  const PlanarBlockColdData& cold = pool.cold(place);
+  const PlanarSphere on_wall = PlanarSphere();
+  const PlanarSphere* const of_i = bodies_.spheres(head.i);
+  const PlanarSphere* const of_j = head.j < 0 ? &on_wall : bodies_.spheres(head.j);
+  double* const values = pool.values(place);
+  std::copy_n(gammas, 2, values + planar_gammas);
+  for (int lane = 0; lane < planar_lanes; ++lane) {
+    const PlanarSphere &a = of_i[cold.sphere_i[lane]], &b = of_j[cold.sphere_j[lane]];
+    values[planar_xi + lane] = a.x;
+    values[planar_yi + lane] = a.y;
+    values[planar_xj + lane] = b.x;
+    values[planar_yj + lane] = b.y;
+  }
+}
+
+}  // namespace rodpack

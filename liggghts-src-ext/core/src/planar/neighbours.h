@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_PLANAR_NEIGHBOURS_H
+#define RODPACK_PLANAR_NEIGHBOURS_H
+
+#include <vector>
+
+#include "../planar_simd/aligned_vector.h"
+#include "bodies.h"
+#include "blocks.h"
+#include "candidates.h"
+#include "../planar_simd/arguments.h"
+#include "grid.h"
+#include "pipeline.h"
+
+namespace rodpack {
+
+/// Neighbour lists of single bodies. A body is listed anew when a point of it has moved by its skin
+/// since it was listed last, at its reference position. Two spheres are candidates for a contact if
+/// they come closer than the skins of both bodies allow, measured between the reference positions;
+/// so that no body has to be listed because another one moved. Candidates go into blocks.
+class PlanarNeighbours {
+ public:
+  /// All that is given has to outlive the lists, which change `blocks` and `dependencies`.
+  PlanarNeighbours(const PlanarSettings& settings, const PlanarBodies& bodies,
+                   const PlanarParts& parts, PlanarBlocks& blocks,
+                   PlanarDependencies& dependencies);
+
+  /// Makes room for so many bodies, ghosts too.
+  void resize(int bodies);
+  /// Sets the reach of the longest body of all ranks, m; before list_all().
+  void set_longest_reach(double reach) { longest_reach_ = reach; }
+
+  bool exist() const { return exist_; }
+  /// Makes the first lists of all bodies.
+  void list_all();
+  /// Makes the lists of these bodies anew; their contacts keep their history.
+  void list_anew(const std::vector<int>& bodies);
+
+  /// Takes in a new ghost; it has to be listed with list_anew() if lists exist already.
+  void add_ghost(int ghost);
+  void remove_ghost(int ghost);
+  /// Notes how far a ghost has moved; returns whether it has to be listed anew.
+  bool follow_ghost(int ghost);
+
+  /// The number of steps in which no body moves by more than its skin, at least 1.
+  int steps_within_skins() const { return steps_within_skins_; }
+  /// Lets steps_within_skins() forget the bodies that were not listed since the last call.
+  void renew_steps_within_skins();
+
+  /// Sets what the SIMD loop needs to find the bodies that have left their skin, or will in
+  /// `steps_ahead` further steps.
+  void set_arguments(int steps_ahead, PlanarAdvance& arguments);
+  /// Upper bounds on how far each body has moved since it was listed, m.
+  const double* moved() const { return moved_.data(); }
+  /// The number of lists of single bodies that were made anew.
+  long listings() const { return listings_; }
+
+ private:
+  void set_reference(int body);
+  void set_lanes(int body, const PlanarReference& at);
+  void list(int body);
+  void list_near(int body, int end);
+  void list_pair(int i, int j);
+  void list_walls(int i);
+  PlanarChain chain(int body) const;
+  void add_blocks(int i, int j);
+  struct Coefficients {  // of the contacts of a block
+    int law;             // index of the constants of both types
+    double gamma[2];     // dashpots along the normal and the tangent, kg/s
+  };
+  Coefficients coefficients(int i, int j) const;
+  void fill_block(PlanarBlockPool& pool, int place, const double (&gammas)[2]) const;
+
+  const PlanarSettings& settings_;
+  const PlanarBodies& bodies_;
+  const PlanarParts parts_;
+  PlanarBlocks& blocks_;
+  PlanarDependencies& dependencies_;
+  bool exist_ = false;
+  double longest_reach_ = 0.0;
+  int steps_within_skins_ = most_steps_in_pass;
+  int steps_of_listed_ = most_steps_in_pass;  // of the bodies listed since the last renewal
+  long listings_ = 0;
+  PlanarGrid grid_;
+  AlignedVector<PlanarReference> references_;
+  AlignedVector<PlanarReferenceLanes> reference_lanes_;
+  AlignedVector<double> moved_;
+
+  // Memory that listing works in.
+  struct Workspace {
+    std::vector<int> near;                    // bodies that may have candidates with one
+    std::vector<PlanarCandidate> candidates;  // of two bodies
+    std::vector<PlanarLaneState> contacts;    // of a body while it is listed anew
+  };
+  Workspace work_;
+};
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_PLANAR_ARGUMENTS_H
+#define RODPACK_PLANAR_ARGUMENTS_H
+
+#include <cstddef>
+
+#include "block_layout.h"
+#include "kinematics.h"
+#include "range.h"
+#include "rodpack/motion/multistep.h"
+#include "rodpack/planar/instructions.h"
+
+namespace rodpack {
+
+// What the SIMD loops (kernel.h, kernel_bodies.h) are given. It is pointers alone: these loops are
+// compiled for one set of processor instructions each, and a member function or template that they
+// compiled with it could take the place of everybody's.
+
+/// Components along x, along y and about z of a vector, and one that is unused: one register.
+struct alignas(32) PlanarVector {
+  double d[4];
+};
+
+/// A block of which some lanes, one bit for each, need the general path.
+struct PlanarGeneralBlock {
+  int place, lanes;
+};
+
+/// A wall: the points at which x along_x + y along_y is its position; free_side as in PlanarWall.
+struct PlanarWallLine {
+  double along_x, along_y, position, free_side;
+};
+
+/// Arguments of the loops over blocks, which evaluate the contacts on the fast path.
+struct PlanarForces {
+  // Blocks, their numbers (block_layout.h) and the indices of their constants.
+  PlanarBlockHead* heads;
+  double* values;
+  const int* block_laws;
+  int rows;  // of the numbers of a group
+  // The blocks to evaluate, in whole groups. Those of `touching` had contacts when they were
+  // sorted, so that it is not worth the time to ask whether their spheres can have met.
+  PlanarRange touching, others;
+  int velocity[max_multistep_order];  // offsets of the tangential velocities k + 1 steps back
+  int newest;                         // offset of the tangential velocity of this step
+  // Bodies.
+  const PlanarKinematics* kinematics;
+  const double* moved;  // since their reference position, an upper bound, m
+  PlanarVector* loads;  // the forces are added to them
+  const char* jumped;   // whether a body had an event in the step before; null: none had
+  // The contact law.
+  const PlanarLawConstants* laws;
+  bool one_law;
+  const PlanarWallLine* walls;
+  int order;
+  double spring_weights[max_multistep_order];  // of the velocities in the spring, times dt, s
+  bool follows;                                // whether events are corrected for
+  // Room for an entry for each block.
+  PlanarGeneralBlock* general;
+  int* awake;
+};
+
+/// Reference state of a body: where its neighbour list was made the last time, and with which skin.
+struct PlanarReference {
+  double x, y, cosine, sine;
+  double reach;  // distance of its farthest point from the centre of mass, m
+  double skin;   // m
+};
+
+// Where registers find pairs of numbers in these structures, counted in doubles.
+constexpr int doubles_before(std::size_t bytes) { return static_cast<int>(bytes / sizeof(double)); }
+enum PlanarOffset {
+  body_position = doubles_before(offsetof(PlanarKinematics, x)),   // and y
+  body_turn = doubles_before(offsetof(PlanarKinematics, cosine)),  // and sine
+  body_velocity = doubles_before(offsetof(PlanarKinematics, velocity)),
+  body_spin = body_velocity + 2,                                            // and radius
+  law_stiffnesses = doubles_before(offsetof(PlanarLawConstants, kn)),       // and kt
+  law_friction = doubles_before(offsetof(PlanarLawConstants, inverse_kt)),  // and friction
+  wall_direction = doubles_before(offsetof(PlanarWallLine, along_x)),       // and along_y
+  wall_position = doubles_before(offsetof(PlanarWallLine, position))        // and free_side
+};
+static_assert(offsetof(PlanarLawConstants, kn) == 0 && offsetof(PlanarLawConstants, kt) == 8 &&
+                  offsetof(PlanarLawConstants, inverse_kt) == 16 &&
+                  offsetof(PlanarLawConstants, friction) == 24,
+              "kernel.h reads laws as four doubles in this order");
+static_assert(offsetof(PlanarWallLine, along_x) == 0 && offsetof(PlanarWallLine, along_y) == 8 &&
+                  offsetof(PlanarWallLine, position) == 16 &&
+                  offsetof(PlanarWallLine, free_side) == 24,
+              "kernel_bodies.h reads walls as four doubles in this order");
+static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, alive) &&
+                  offsetof(PlanarBlockHead, used) + 2 == offsetof(PlanarBlockHead, full_history) &&
+                  offsetof(PlanarBlockHead, used) + 3 == offsetof(PlanarBlockHead, sliding),
+              "kernel.h reads these four bytes as one number, in this order");
+
+constexpr int body_lanes = 4;  // bodies that the SIMD loop advances at a time
+
+/// Reference states of so many bodies, side by side. A lane without a body has an infinite skin.
+struct alignas(64) PlanarReferenceLanes {
+  double x[body_lanes], y[body_lanes], cosine[body_lanes], sine[body_lanes];
+  double reach[body_lanes], skin[body_lanes];
+};
+
+/// Arguments of the loop that advances bodies by a step.
+struct PlanarAdvance {
+  PlanarRange bodies;  // `first` is a multiple of body_lanes
+  int order;
+  double dt;
+  PlanarKinematics* kinematics;
+  PlanarVector* loads;   // become the weights, to which the forces of the next step are added
+  PlanarVector gravity;  // m/s^2
+  const PlanarVector* inertia;  // 1/mass, 1/mass, 1/moment, mass
+  PlanarVector *past_velocity[max_multistep_order], *past_acceleration[max_multistep_order];
+  signed char* evaluations;
+  double velocity_weights[max_multistep_order];
+  double force_weights[max_multistep_order + 2][max_multistep_order];  // by number of evaluations
+  const PlanarReferenceLanes* references;
+  int steps_ahead;  // who is about to leave its skin in so many further steps is listed now
+  double* moved;    // since the reference position, an upper bound, m; room for whole registers
+  int* to_list;     // becomes the bodies to be listed anew; room for all
+};
+
+/// The SIMD loops for one set of processor instructions.
+struct PlanarKernel {
+  int (*pairs)(const PlanarForces&);     // returns the number of entries in `general`
+  int (*walls)(const PlanarForces&);     // the same
+  int (*advance)(const PlanarAdvance&);  // returns the number of entries in `to_list`
+};
+
+PlanarKernel planar_kernel_baseline();
+PlanarKernel planar_kernel_avx2();
+PlanarKernel planar_kernel_avx512();
+
+/// @throws std::invalid_argument if the processor or the compiler does not support them.
+PlanarKernel planar_kernel(PlanarInstructions instructions);
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Forces of contacts between bodies, the blocks of a register at a time. Contacts to which nothing
+// happens in the step (they last, stick or slide on, push as before) take the fast path here, by
+// the same formulas as all others, which take the general path (force_evaluator.cpp).
+//
+// Included once by a source for one set of instructions, in an unnamed namespace, after the header
+// of its lanes, which sets `Lanes`, `LaneMask` and how many blocks they hold. Nothing else may be
+// used here but arguments.h: see there.
+
+#include "rodpack/contact/contact_formulas.h"
+
+/// Of the contacts in a register: the numbers of contact_formulas.h.
+struct LaneContacts {
+  typedef Lanes Real;
+  typedef LaneMask Mask;
+};
+
+constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
+
+/// A pointer to a constant structure for each block of a register.
+typedef const double* const BlockConstants[lane_blocks];
+
+/// Values of the blocks from `first` on, which is a multiple of lane_blocks.
+inline double* values_of(const PlanarForces& forces, int first) {
+  const long group = first / planar_group;
+  return forces.values + group * forces.rows * planar_row + first % planar_group * planar_lanes;
+}
+
+// Whole stores: stores under a mask are slow on some processors.
+inline void keep_lanes(LaneMask where, double* place, Lanes x) {
+  store_lanes(place, lane_choice(where, x, load_lanes(place)));
+}
+
+/// Of the two bodies of blocks: levers from their centres to the contacts, the normals from j to i,
+/// and the velocities of i's surface relative to j's.
+struct LaneMotion {
+  Vector2<Lanes> normal, lever_i, lever_j;
+  Lanes overlap, separation_velocity, tangential_velocity;
+};
+
+/// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the fast path.
+struct LaneForces {
+  Lanes normal, tangential;
+  int general;  // lanes that need the general path after all
+};
+
+/// Sets the constants of the contacts of the blocks from `first` on; the result is mu k_n.
+inline Lanes set_constants(int first, const double* values, const PlanarForces& forces,
+                           LastingContact<LaneContacts>& contact) {
+  const double* gammas[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
+  each_two(gammas, 0, contact.normal_damping, contact.tangential_damping);
+  Lanes friction = all_lanes(forces.laws->friction);
+  contact.normal_stiffness = all_lanes(forces.laws->kn);
+  contact.tangential_stiffness = all_lanes(forces.laws->kt);
+  contact.inverse_stiffness.inverse = all_lanes(forces.laws->inverse_kt);
+  if (!forces.one_law) {
+    const double* laws[lane_blocks];
+    for (int b = 0; b < lane_blocks; ++b)
+      laws[b] = reinterpret_cast<const double*>(&forces.laws[forces.block_laws[first + b]]);
+    each_two(laws, law_stiffnesses, contact.normal_stiffness, contact.tangential_stiffness);
+    each_two(laws, law_friction, contact.inverse_stiffness.inverse, friction);
+  }
+  return friction;
+}
+
+/// The law for the lanes `lasting`, which have a full history, and the history brought to this
+/// step. `sliding`: lanes that slid; becomes those that do.
+inline LaneForces lasting_forces(int first, double* values, const LaneMotion& motion, int lasting,
+                                 int& sliding, const PlanarForces& forces) {
+  const Lanes zero = all_lanes(0.0);
+  LastingContact<LaneContacts> contact;
+  const Lanes friction = set_constants(first, values, forces, contact);
+  contact.overlap = motion.overlap;
+  contact.separation_velocity = motion.separation_velocity;
+  contact.viscoelastic_before = load_lanes(values + planar_viscoelastic);
+  contact.tangential_velocity = motion.tangential_velocity;
+  contact.spring_before = load_lanes(values + planar_spring);
+  contact.spring = contact.spring_before;
+  for (int k = 0; k < forces.order; ++k)
+    contact.spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
+  contact.cap = friction * motion.overlap;
+  contact.slid = lanes_of_bits(sliding);
+  const LastingForce<LaneContacts> force = lasting_force(contact, zero, forces.follows);
+
+  LaneMask acts = lanes_of_bits(lasting);
+  LaneForces result;
+  result.general = 0;
+  if (forces.follows) {
+    result.general = lane_bits(force.changes & acts);
+    acts = acts & ~force.changes;
+  }
+  result.normal = lane_choice(acts, force.normal, zero);
+  result.tangential = lane_choice(acts, force.tangential, zero);
+  keep_lanes(acts, values + planar_spring, force.spring);
+  keep_lanes(acts, values + planar_viscoelastic, force.viscoelastic);
+  keep_lanes(acts, values + forces.newest, motion.tangential_velocity);
+  sliding = lane_bits(lane_choice(acts, force.slides, contact.slid));
+  return result;
+}
+
+/// Spheres' centres from that of their body.
+inline Vector2<Lanes> arms_of(const double* x, const double* y, BlockConstants& frame) {
+  const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)};
+  Lanes cosine, sine;
+  each_two(frame, body_turn, cosine, sine);
+  return turned(cosine, sine, offset);
+}
+
+/// The bits of PlanarBlockHead, with the lanes of the blocks side by side. full_history: lanes
+/// whose contact has lasted until its history is full.
+struct LaneFlags {
+  int used, alive, full_history, sliding;
+};
+inline LaneFlags flags_of(const PlanarBlockHead* heads) {
+  unsigned all = 0;
+  for (int b = 0; b < lane_blocks; ++b) {
+    unsigned flags;
+    __builtin_memcpy(&flags, &heads[b].used, sizeof flags);
+    all |= flags << b * planar_lanes;
+  }
+  return {static_cast<int>(all & 255), static_cast<int>(all >> 8 & 255),
+          static_cast<int>(all >> 16 & 255), static_cast<int>(all >> 24)};
+}
+inline void set_sliding(PlanarBlockHead* heads, int sliding) {
+  for (int b = 0; b < lane_blocks; ++b)
+    heads[b].sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & all_of_block);
+}
+
+/// The lanes of blocks whose bodies had no event in the step before.
+inline int undisturbed(const PlanarBlockHead* heads, const PlanarForces& forces) {
+  int lanes = (1 << lane_blocks * planar_lanes) - 1;
+  if (!forces.jumped) return lanes;
+  for (int b = 0; b < lane_blocks; ++b)
+    if (forces.jumped[heads[b].i] | (heads[b].j >= 0 && forces.jumped[heads[b].j]))
+      lanes &= ~(all_of_block << b * planar_lanes);
+  return lanes;
+}
+
+/// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
+/// general path.
+inline __attribute__((always_inline)) int evaluate_blocks(int first, const PlanarForces& forces) {
+  PlanarBlockHead* const heads = forces.heads + first;
+  double* const values = values_of(forces, first);
+  const double *frame_i[lane_blocks], *frame_j[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) {
+    frame_i[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
+    frame_j[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].j]);
+  }
+  const Vector2<Lanes> arm_i = arms_of(values + planar_xi, values + planar_yi, frame_i);
+  const Vector2<Lanes> arm_j = arms_of(values + planar_xj, values + planar_yj, frame_j);
+  Lanes xi, yi, xj, yj, wi, wj, radius_i, radius_j;
+  each_two(frame_i, body_position, xi, yi);
+  each_two(frame_j, body_position, xj, yj);
+  each_two(frame_i, body_spin, wi, radius_i);
+  each_two(frame_j, body_spin, wj, radius_j);
+  const Lanes dx = (xi - xj) + (arm_i.x - arm_j.x), dy = (yi - yj) + (arm_i.y - arm_j.y);
+  const Lanes square = dx * dx + dy * dy, reach = radius_i + radius_j;
+  const LaneFlags flags = flags_of(heads);
+  const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used;
+  const int here = touching | flags.alive;
+  if (here == 0) return 0;
+  const int lasting = touching & flags.full_history & undisturbed(heads, forces);
+  const int general = here & ~lasting;
+  if (lasting == 0) return general;
+
+  Lanes r, inverse;
+  lane_roots(square, r, inverse);
+  LaneMotion motion;
+  motion.normal = {dx * inverse, dy * inverse};
+  motion.overlap = reach - r;
+  motion.lever_i = lever_in_plane(arm_i, lever_length(radius_i, motion.overlap), motion.normal);
+  motion.lever_j = lever_in_plane(arm_j, -lever_length(radius_j, motion.overlap), motion.normal);
+  Lanes vxi, vyi, vxj, vyj;
+  each_two(frame_i, body_velocity, vxi, vyi);
+  each_two(frame_j, body_velocity, vxj, vyj);
+  const Vector2<Lanes> of_centres = {vxi - vxj, vyi - vyj};
+  const Vector2<Lanes> velocity =
+      velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j);
+  motion.separation_velocity = dot(velocity, motion.normal);
+  motion.tangential_velocity = cross_z(motion.normal, velocity);
+  int sliding = flags.sliding;
+  const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
+  set_sliding(heads, sliding);
+  double *load_i[lane_blocks], *load_j[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) {
+    load_i[b] = forces.loads[heads[b].i].d;
+    load_j[b] = forces.loads[heads[b].j].d;
+  }
+  const Vector2<Lanes> on_i = in_space(motion.normal, force.normal, force.tangential);
+  add_loads(on_i.x, on_i.y, cross_z(motion.lever_i, on_i), cross_z(motion.lever_j, on_i), load_i,
+            load_j);
+  return general | force.general;
+}
+
+/// Enters the blocks from `first` on that have such lanes.
+inline void enter_general(int first, int general, const PlanarForces& forces, int& entries) {
+  for (int b = 0; general != 0; ++b, general >>= planar_lanes)
+    if ((general & all_of_block) != 0)
+      forces.general[entries++] = {first + b, general & all_of_block};
+}
+
+/// Lists where lane_blocks begin: all that touch, and those of the others in which spheres may have
+/// met: since they were listed both bodies together have moved by the gap. Without branches, as
+/// there is no telling which.
+inline int find_awake(const PlanarForces& forces) {
+  int count = 0;
+  for (int first = forces.touching.first; first < forces.touching.end; first += lane_blocks)
+    forces.awake[count++] = first;
+  for (int first = forces.others.first; first < forces.others.end; first += lane_blocks) {
+    int awake = 0;
+    for (int b = 0; b < lane_blocks; ++b) {
+      const PlanarBlockHead& head = forces.heads[first + b];
+      const bool asleep = forces.moved[head.i] + forces.moved[head.j] < head.gap;
+      awake |= (head.alive != 0) | !asleep;
+    }
+    forces.awake[count] = first;
+    count += awake;
+  }
+  return count;
+}
+
+int evaluate_pairs(const PlanarForces& forces) {
+  int entries = 0;
+  const int count = find_awake(forces);
+  for (int k = 0; k < count; ++k) {
+    const int general = evaluate_blocks(forces.awake[k], forces);
+    if (general != 0) enter_general(forces.awake[k], general, forces, entries);
+  }
+  return entries;
+}

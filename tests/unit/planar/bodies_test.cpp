@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the planar engine keeps of its bodies.
+#include "planar/bodies.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "heap.h"
+
+namespace rodpack {
+namespace {
+
+PlanarBodies bodies_of(const PlanarSettings& settings, const std::vector<PlanarBody>& all) {
+  return PlanarBodies(settings, PlanarParts{static_cast<int>(all.size()), 4}, all);
+}
+
+void expect_same_rates(const PlanarRates& a, const PlanarRates& b, double tolerance) {
+  for (int d = 0; d < 2; ++d) {
+    EXPECT_NEAR(a.velocity[d], b.velocity[d], tolerance);
+    EXPECT_NEAR(a.acceleration[d], b.acceleration[d], tolerance);
+  }
+  EXPECT_NEAR(a.angular_velocity, b.angular_velocity, tolerance);
+  EXPECT_NEAR(a.angular_acceleration, b.angular_acceleration, tolerance);
+}
+
+}  // namespace
+
+TEST(PlanarBodies, TellWhatTheyWereGiven) {
+  PlanarSettings settings = settings_of();
+  PlanarBody body = moving(rod(5, 0.1, 0.2, 0.3), 1.0, 2.0, 3.0);
+  body.tag = 17;
+  body.evaluations = 2;
+  for (int d = 0; d < 3; ++d) {
+    body.load[d] = 0.1 * (d + 1);
+    body.missed_displacement[d] = 1e-6 * (d + 1);
+    body.missed_velocity[d] = 1e-3 * (d + 1);
+  }
+  body.past[0] = {{1.0, 2.0}, 3.0, {4.0, 5.0}, 6.0};
+  body.past[1] = {{-1.0, -2.0}, -3.0, {-4.0, -5.0}, -6.0};
+  const PlanarBodies bodies = bodies_of(settings, {rod(2, 0, 0, 0), body});
+  EXPECT_EQ(bodies.tag(0), 0) << "its index, where none is given";
+  const PlanarBody told = bodies.state(1, 0);
+  EXPECT_EQ(told.tag, 17);
+  EXPECT_EQ(told.mass, body.mass);
+  EXPECT_EQ(told.moment, body.moment);
+  ASSERT_EQ(told.spheres.size(), body.spheres.size());
+  for (std::size_t k = 0; k < body.spheres.size(); ++k)
+    EXPECT_EQ(told.spheres[k].x, body.spheres[k].x);
+  EXPECT_EQ(told.position[1], 0.2);
+  EXPECT_EQ(told.sine, body.sine);
+  EXPECT_EQ(told.evaluations, 2);
+  for (int d = 0; d < 3; ++d) {
+    EXPECT_EQ(told.velocity[d], body.velocity[d]);
+    EXPECT_EQ(told.load[d], body.load[d]);
+    EXPECT_EQ(told.missed_displacement[d], body.missed_displacement[d]);
+    EXPECT_EQ(told.missed_velocity[d], body.missed_velocity[d]);
+  }
+  for (int k = 0; k < 2; ++k) expect_same_rates(told.past[k], body.past[k], 0.0);
+}
+
+// The end of a straight chain of length L = AR d, turning at w about its centre that moves at v:
+// |v| + |w| L/2 in a second, at most.
+TEST(PlanarBodies, StepDisplacementIsThatOfTheEndOfARod) {
+  PlanarSettings settings = settings_of();
+  const PlanarBodies bodies = bodies_of(settings, {moving(rod(5, 0, 0, 1), 0.3, -0.4, -20)});
+  const double reach = 2.5 * diameter;
+  EXPECT_NEAR(bodies.info(0).reach, reach, 1e-14 * reach);
+  EXPECT_NEAR(bodies.longest_reach(), reach, 1e-14 * reach);
+  EXPECT_NEAR(bodies.step_displacement(0), (0.5 + 20 * reach) * settings.dt, 1e-18);
+}
+
+// Missed motion is made at the beginning of the next step: a displacement turns the rod too.
+TEST(PlanarBodies, MissedMotionIsMadeOnce) {
+  PlanarSettings settings = settings_of();
+  PlanarBody body = moving(rod(5, 0.1, 0.2, 0.3), 1.0, 2.0, 3.0);
+  body.evaluations = 4;
+  const double displacement[3] = {1e-6, -2e-6, 0.01}, velocity[3] = {0.1, 0.2, -0.5};
+  std::copy_n(displacement, 3, body.missed_displacement);
+  std::copy_n(velocity, 3, body.missed_velocity);
+  PlanarBodies bodies = bodies_of(settings, {body});
+  for (int times = 0; times < 2; ++times) {
+    bodies.prepare(0, 0);
+    const PlanarKinematics& frame = bodies.kinematics(0);
+    EXPECT_NEAR(frame.x, 0.1 + 1e-6, 1e-16);
+    EXPECT_NEAR(frame.y, 0.2 - 2e-6, 1e-16);
+    EXPECT_NEAR(frame.cosine, std::cos(0.31), 1e-15);
+    EXPECT_NEAR(frame.sine, std::sin(0.31), 1e-15);
+    for (int d = 0; d < 3; ++d)
+      EXPECT_NEAR(frame.velocity[d], body.velocity[d] + velocity[d], 1e-15);
+    for (int d = 0; d < 3; ++d) {
+      EXPECT_EQ(bodies.state(0, 0).missed_displacement[d], 0.0);
+      EXPECT_EQ(bodies.state(0, 0).missed_velocity[d], 0.0);
+    }
+  }
+}
+
+// Before its first step a body is taken to have moved under its load at birth, held constant:
+// v(-k dt) = v - k dt F/m; forces before birth are 0, as the start-up of the multistep formula
+// wants it (rigid_motion.h).
+TEST(PlanarBodies, TheNewbornGetAPastOfConstantAcceleration) {
+  PlanarSettings settings = settings_of();
+  PlanarBody body = moving(rod(5, 0, 0, 0), 1.0, 2.0, 3.0);
+  const double load[3] = {1e-3, -2e-3, 1e-7};
+  std::copy_n(load, 3, body.load);
+  PlanarBodies bodies = bodies_of(settings, {body});
+  bodies.prepare(0, 0);
+  const PlanarBody told = bodies.state(0, 0);
+  for (int k = 1; k <= 2; ++k) {
+    const double age = k * settings.dt;
+    expect_same_rates(told.past[k - 1],
+                      {{1.0 - age * load[0] / body.mass, 2.0 - age * load[1] / body.mass},
+                       3.0 - age * load[2] / body.moment,
+                       {0.0, 0.0},
+                       0.0},
+                      1e-15);
+  }
+}
+
+TEST(PlanarBodies, LoadsBeginWithTheWeight) {
+  PlanarSettings settings = settings_of();
+  settings.gravity[0] = 1.0;
+  settings.gravity[1] = -9.81;
+  PlanarBody body = rod(5, 0, 0, 0);
+  body.load[2] = 1.0;
+  PlanarBodies bodies = bodies_of(settings, {body});
+  bodies.begin_loads();
+  const PlanarBody told = bodies.state(0, 0);
+  EXPECT_EQ(told.load[0], body.mass);
+  EXPECT_EQ(told.load[1], -9.81 * body.mass);
+  EXPECT_EQ(told.load[2], 0.0);
+}
+
+// Spheres of ghosts lie behind those of the bodies of the rank, and are given anew with them.
+TEST(PlanarBodies, GhostsComeAndGo) {
+  PlanarSettings settings = settings_of();
+  PlanarBodies bodies = bodies_of(settings, {rod(2, 0, 0, 0), rod(3, 0.1, 0, 0)});
+  bodies.resize(4);
+  const auto ghost_of = [](int tag, double aspect_ratio) {
+    PlanarBody body = moving(rod(aspect_ratio, 0.2, 0.01 * tag, 0.5), 1.0, 0.0);
+    body.tag = tag;
+    return body;
+  };
+  bodies.set_ghost(2, ghost_of(20, 5));
+  bodies.set_ghost(3, ghost_of(30, 4));
+  EXPECT_EQ(bodies.owned(), 2);
+  EXPECT_EQ(bodies.size(), 4);
+  bodies.forget_ghost_spheres();
+  bodies.clear_ghost(2);
+  bodies.set_ghost(3, ghost_of(30, 4));
+  EXPECT_EQ(bodies.info(2).count, 0);
+  EXPECT_TRUE(bodies.comes_first(1, 3));
+  const PlanarBody told = bodies.present(3), expected = ghost_of(30, 4);
+  ASSERT_EQ(told.spheres.size(), 7u);
+  for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(told.spheres[k].x, expected.spheres[k].x);
+  EXPECT_EQ(told.position[1], expected.position[1]);
+  PlanarKinematics moved = bodies.kinematics(3);
+  moved.x = 0.3;
+  moved.radius = 0.0;
+  bodies.move_ghost(3, moved);
+  EXPECT_EQ(bodies.kinematics(3).x, 0.3);
+  EXPECT_EQ(bodies.kinematics(3).radius, 0.5 * diameter) << "a message does not tell it";
+}
+
+}  // namespace rodpack
