@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Usage: install-into.sh [--update] LIGGGHTS/src
 # Copies our styles and the core they need, flat, into a LIGGGHTS-PUBLIC 3.8.0 source folder.
-# A file there that differs from ours is left alone and stops the script; --update replaces it.
+# A file there that differs from ours is left alone and stops the script; --update replaces it, and
+# takes out what an earlier version of ours has put under other names.
 set -eu
 ext=$(cd "$(dirname "$0")" && pwd)
 
@@ -18,9 +19,16 @@ if [ "${1:-}" = --update ]; then
 fi
 [ $# = 1 ] || fail "give one folder: the src folder of LIGGGHTS-PUBLIC 3.8.0"
 src=$1
-[ -f "$src/Make.sh" ] && [ -f "$src/fix_multisphere.h" ] || fail "$src is not a LIGGGHTS src folder"
+for file in Make.sh fix_multisphere.h; do
+  [ -f "$src/$file" ] || fail "$src is not a LIGGGHTS src folder: it has no $file"
+done
 version=$(cat "$src/version_liggghts.txt" 2> /dev/null || echo unknown)
 [ "$version" = 3.8.0 ] || fail "$src is version $version, expected 3.8.0"
+
+# One file of ours at a time, as it reads there; gone when the script ends, however it does.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+trap 'exit 1' HUP INT TERM
 
 # Calls "$1 OURS THEIRS" for each file, OURS as it reads there: LIGGGHTS compiles one flat folder and
 # names no other to the compiler. So styles lie flat, headers of the core in rodpack/<room>/, and
@@ -37,13 +45,18 @@ for_each_file() {
     sed 's|#include "rodpack/|#include "../|' "$file" > "$scratch/ours"
     "$1" "$scratch/ours" "$src/rodpack/$place"
   done
-  # The prefix keeps our sources apart from LIGGGHTS's own.
+  # The prefix keeps our sources apart from LIGGGHTS's own. What they include is public (named from
+  # rodpack/ on already), private and one folder up, or private and beside them.
   for file in "$ext"/core/src/*/*.cpp; do
     room=$(basename "$(dirname "$file")")
     sed -e '/#include "rodpack\//b' -e 's|#include "\.\./|#include "rodpack/|' \
       -e '/#include "rodpack\//b' -e "s|#include \"|#include \"rodpack/$room/|" "$file" > "$scratch/ours"
     "$1" "$scratch/ours" "$src/rodpack_${room}_$(basename "$file")"
   done
+}
+
+print_place() {
+  echo "$2"
 }
 
 refuse_different() {
@@ -62,8 +75,15 @@ copy() {
   fi
 }
 
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+places=$(for_each_file print_place | sort)
+twice=$(echo "$places" | uniq -d)
+[ -z "$twice" ] || fail "two of our files have one place there: $twice"
+for file in "$src"/rodpack_*.cpp "$src"/rodpack/*.h "$src"/rodpack/*/*.h; do
+  if [ ! -e "$file" ] || echo "$places" | grep -qxF "$file"; then continue; fi
+  [ "$update" = yes ] || fail "$file is of another version of ours; --update removes it"
+  rm "$file"
+  echo "removed $file"
+done
 [ "$update" = yes ] || for_each_file refuse_different
 for_each_file copy
 

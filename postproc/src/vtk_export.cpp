@@ -16,6 +16,7 @@
 #include <map>
 #include <set>
 
+#include "rodpack/dumps/columns.h"
 #include "rodpack/text.h"
 
 namespace rodpack {
@@ -32,18 +33,28 @@ constexpr VectorColumns vectors[] = {
     {"contact_normal", {"nx", "ny", "nz"}},
 };
 
-const std::map<std::string, std::string>& units() {
-  static const std::map<std::string, std::string> table{
-      {"angle", "rad"}, {"curvature", "rad"}, {"half_length", "m"},
-      {"radius", "m"},  {"area", "m2"},       {"mass", "kg"},
-      {"fsum", "N"},    {"overlap_n", "m"},   {"overlap_t", "m"}};
-  return table;
+// The column of this name in our dumps, which has a unit or holds integers; null if it is none.
+const DumpColumn* known_column(const std::string& name) {
+  static const auto known = [] {
+    std::map<std::string, DumpColumn> table;
+    const auto add = [&](const auto& columns) {
+      for (const DumpColumn& column : columns)
+        if (column.is_integer || *column.unit) table.emplace(column.name, column);
+    };
+    add(body_dump::columns);
+    add(sphere_dump::columns);
+    add(contact_dump::columns);
+    return table;
+  }();
+  const auto found = known.find(name);
+  return found == known.end() ? nullptr : &found->second;
 }
 
-const std::set<std::string>& whole_numbers() {
-  static const std::set<std::string> names{"id",     "type",     "nspheres", "body", "body_i",
-                                           "body_j", "sphere_i", "sphere_j", "wall"};
-  return names;
+// "radius_m", "vx_m_s"; the name itself where there is no unit.
+std::string name_with_unit(const DumpColumn& column) {
+  std::string unit = column.unit;
+  std::replace(unit.begin(), unit.end(), '/', '_');
+  return unit.empty() ? column.name : column.name + ("_" + unit);
 }
 
 vtkSmartPointer<vtkDataArray> scalar_array(const Frame& frame, const std::string& column) {
@@ -55,10 +66,9 @@ vtkSmartPointer<vtkDataArray> scalar_array(const Frame& frame, const std::string
       array->SetComponent(static_cast<vtkIdType>(i), 0, values[i]);
     return array;
   };
-  if (whole_numbers().count(column)) return fill(vtkSmartPointer<vtkTypeInt64Array>::New(), column);
-  const auto unit = units().find(column);
-  return fill(vtkSmartPointer<vtkDoubleArray>::New(),
-              unit == units().end() ? column : column + "_" + unit->second);
+  const DumpColumn* const known = known_column(column);
+  if (known && known->is_integer) return fill(vtkSmartPointer<vtkTypeInt64Array>::New(), column);
+  return fill(vtkSmartPointer<vtkDoubleArray>::New(), known ? name_with_unit(*known) : column);
 }
 
 vtkSmartPointer<vtkDoubleArray> vector_array(const Frame& frame, const std::string& name,
@@ -136,9 +146,8 @@ void write_vtp(const Frame& frame, DumpKind kind, const std::string& file) {
     }
   for (std::size_t c = 0; c < frame.names.size(); ++c) {
     const auto& name = frame.names[c];
-    const bool known = units().count(name) || whole_numbers().count(name);
     // A column of text that we do not know is left out; a bad number in one that we know throws.
-    if (!used.count(name) && (known || frame.bad_fields[c].line == 0))
+    if (!used.count(name) && (known_column(name) || frame.bad_fields[c].line == 0))
       attributes->AddArray(scalar_array(frame, name));
   }
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Past this machine: the time of a step of run_style verlet/planar on P ranks, from what planar_size.sh has
-# measured, by the model of liggghts-src-ext/doc/planar_scaling.md. Prints its tables.
+# measured, by the model of liggghts-src-ext/doc/background/planar_scaling.md. Prints its tables.
 #
 #   tests/benchmark/planar_scaling.sh BUILD-FOLDER [LATENCY BANDWIDTH]
 #

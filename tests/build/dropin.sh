@@ -45,9 +45,14 @@ done < "$ext/styles/contact/style_contact_model_user.whitelist"
 cmp "$tree/style_contact_model.h" "$3/staged/src/style_contact_model.h" ||
   fail "the two ways compile different contact-model combinations"
 
+# Each source of ours finds what it includes, in whichever room that lies here.
+cd "$tree"
+for source in "$ext"/styles/*/*.cpp; do
+  "$compiler" -std=c++14 -M "$(basename "$source")" > deps || fail "$source does not find its headers"
+done
+
 # modify.cpp sees every fix and compute, ours with what they include from the core.
 # dump_stress_goldhirsch.cpp is one that finds its way without VTK, too.
-cd "$tree"
 for source in modify.cpp dump_stress_goldhirsch.cpp rodpack_*.cpp; do
   "$compiler" -std=c++14 -w -fsyntax-only "$source" || fail "$source does not compile in the tree"
 done
@@ -58,6 +63,13 @@ if "$ext/install-into.sh" . 2> refusal; then fail "overwrote a file that differs
 grep -q 'rodpack/geometry/chain_geometry.h exists and differs' refusal || fail "refusal: $(cat refusal)"
 grep -qx '// mine' rodpack/geometry/chain_geometry.h || fail "overwrote a file that differs"
 "$ext/install-into.sh" --update . | grep -q '^replaced' || fail "--update did not replace"
+
+# What another version has left would be compiled beside what took its place.
+touch rodpack_line_rule.cpp
+if "$ext/install-into.sh" . 2> refusal; then fail "left a source of another version"; fi
+grep -q 'rodpack_line_rule.cpp is of another version' refusal || fail "refusal: $(cat refusal)"
+"$ext/install-into.sh" --update . | grep -qx 'removed ./rodpack_line_rule.cpp' ||
+  fail "--update did not remove a source of another version"
 
 echo 3.7.0 > version_liggghts.txt
 if "$ext/install-into.sh" . 2> refusal; then fail "took version 3.7.0"; fi

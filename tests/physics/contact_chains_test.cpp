@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 #include "rodpack/geometry/chain_geometry.h"
 #include "rodpack/contact/contact_law.h"
@@ -145,26 +146,8 @@ TEST(Chains, KineticEnergyReturnsFromAnObliqueCollision) {
 // A body of LIGGGHTS's own template, three tangent spheres, and a plain sphere beside it. The
 // body's row is that of the straight chain around it; the sphere's id follows the largest body id.
 TEST(Chains, BodiesOfStockTemplatesAndPlainSpheresAreListed) {
-  const auto run = run_liggghts(R"(
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f p
-newton off
-communicate single vel yes
-units si
-soft_particles yes
-region box block -0.03 0.03 -0.02 0.02 -0.01 0.01 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix kn all property/global kn peratomtypepair 1 1000
-fix kt all property/global kt peratomtypepair 1 500
-fix dn all property/global dampingRatioNormal peratomtypepair 1 0.2
-fix dt all property/global dampingRatioTangential peratomtypepair 1 0.2
-fix mu all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model spring_dashpot tangential spring_dashpot
-pair_coeff * *
-timestep 1e-5
+  const auto run =
+      run_liggghts(Deck().boundary("f f p").box("-0.03 0.03 -0.02 0.02 -0.01 0.01").with(R"(
 create_atoms 1 single 0.01 0.01 0 units box
 set group all diameter 0.002 density 2500
 fix stock all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 &
@@ -176,7 +159,7 @@ fix insert all insert/pack seed 32452843 distributiontemplate chains insert_ever
 fix integrate all multisphere
 dump bodies all multisphere/body 1 bodies.dump
 run 1
-)");
+)"));
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const Table bodies = read_dump(run.folder / "bodies.dump");
   ASSERT_EQ(bodies.rows(), 2u);

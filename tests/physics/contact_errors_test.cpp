@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 using namespace rodpack::test;
@@ -23,39 +24,16 @@ void expect_error(const std::string& deck, const Vars& vars, const std::string& 
 
 /// Two spheres at rest; `models` follows pair_style gran, `commands` come before a run of 0 steps.
 std::string small_deck(const std::string& models, const std::string& commands) {
-  std::string deck = R"(
-atom_style granular
-atom_modify map array
-boundary f f p
-newton off
-communicate single vel yes
-units si
-region box block -0.02 0.02 -0.02 0.02 -0.01 0.01 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix p1 all property/global kn peratomtypepair 1 1000
-fix p2 all property/global kt peratomtypepair 1 500
-fix p3 all property/global gamman peratomtypepair 1 1
-fix p4 all property/global gammat peratomtypepair 1 1
-fix p5 all property/global dampingRatioNormal peratomtypepair 1 0.2
-fix p6 all property/global dampingRatioTangential peratomtypepair 1 0.2
-fix p7 all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran MODELS
-pair_coeff * *
-timestep 1e-5
+  return Deck().boundary("f f p").box("-0.02 0.02 -0.02 0.02 -0.01 0.01").models(models).with(R"(
+fix gn all property/global gamman peratomtypepair 1 1
+fix gt all property/global gammat peratomtypepair 1 1
 create_atoms 1 single -0.00149 0 0 units box
 create_atoms 1 single  0.00149 0 0 units box
 set group all diameter 0.003 density 2500
 fix integrate all nve/sphere
 variable one equal 1
 variable name string text
-COMMANDS
-run 0
-)";
-  deck.replace(deck.find("MODELS"), 6, models);
-  deck.replace(deck.find("COMMANDS"), 8, commands);
-  return deck;
+)" + commands + "\nrun 0\n");
 }
 
 const std::string ours = "model spring_dashpot tangential spring_dashpot";
@@ -101,6 +79,8 @@ TEST(ContactErrors, ComputesAndDumps) {
   expect_error(small_deck(ours, "compute c all contact/overlap"), {},
                "the largest overlap allowed");
   expect_error(small_deck(ours, "compute c all contact/overlap 0"), {}, "overlap is 0");
+  expect_error(small_deck(ours, "compute c all contact/overlap 1e-4m"), {},
+               "Compute contact/overlap (id c): overlap is 1e-4m, expected a length > 0");
   expect_error(small_deck(ours, "compute c all contact/energy all"), {}, "unknown keyword all");
   expect_error(small_deck(ours, "compute c all multisphere/ke x"), {}, "unknown keyword x");
   expect_error(small_deck(ours, "group g id 1\ncompute c g contact/energy"), {},
@@ -132,6 +112,10 @@ TEST(ContactErrors, Halt) {
   expect_error(halt("10 v_one < 1 message maybe"), {}, "message is maybe");
   expect_error(halt("10 v_one < 1 hold -1"), {}, "hold is -1");
   expect_error(halt("10 v_one < 1 after 5"), {}, "unknown keyword after");
+  // LIGGGHTS's own reader would take the leading digits of these.
+  expect_error(halt("ten v_one < 1"), {}, "N is ten, expected N > 0");
+  expect_error(halt("10 v_one < 1x"), {}, "value is 1x, expected a number");
+  expect_error(halt("10 v_one < 1 start 1e3"), {}, "start is 1e3, expected a step >= 0");
 }
 
 // Other models may stand beside ours, whichever is stock: they share stiffness and damping.

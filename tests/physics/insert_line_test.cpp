@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace {
@@ -136,25 +137,8 @@ TEST(InsertLine, SeedDecidesPrimeOrNot) {
 TEST(InsertLine, TotalNumberAndFractionsAreMetExactly) {
   // 0.5 : 0.3 : 0.2 of 17 particles = 8.5, 5.1, 3.4: by largest remainders 9, 5, 3. Lines of 5, the
   // last one of 2. Under 5000 m/s^2 a line falls 10 mm in 2 ms, its particles are up to 6 mm long.
-  const auto run = run_liggghts(R"(
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f p
-newton off
-communicate single vel yes
-units si
-soft_particles yes
-region box block 0 0.1 0 0.2 -0.005 0.005 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix e all property/global youngsModulus peratomtype 1e6
-fix p all property/global poissonsRatio peratomtype 0.3
-fix r all property/global coefficientRestitution peratomtypepair 1 0.5
-fix c all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep 1e-5
+  const auto run =
+      run_liggghts(Deck().hertz().boundary("f f p").box("0 0.1 0 0.2 -0.005 0.005").with(R"(
 fix a all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 3 diameter 0.002 surface smooth density 2500
 fix b all particletemplate/multisphere/spherocylinder 8 type 2 aspect_ratio 2 diameter 0.002 surface coarse density 2500
 group balls type 1
@@ -166,7 +150,7 @@ fix move balls nve/sphere
 dump d all custom 700 spheres.dump id mol type x y z radius
 thermo 700
 run 700
-)");
+)"));
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const Table spheres = read_dump(run.folder / "spheres.dump");
   std::map<double, int> bodies;
@@ -231,7 +215,8 @@ TEST(InsertLine, RestartBetweenTwoLinesGoesOnAsIfUninterruptedWithAdamsBashforth
 
 TEST(InsertLine, RefusesARestartWithTheTemplateOfAnotherParticle) {
   const auto whole = run_liggghts(
-      deck, {{"steps", "10"}, {"every", "5"}, {"rod", "aspect_ratio 5 diameter 0.003 surface smooth"}});
+      deck,
+      {{"steps", "10"}, {"every", "5"}, {"rod", "aspect_ratio 5 diameter 0.003 surface smooth"}});
   ASSERT_EQ(whole.exit_code, 0) << whole.output;
   for (const char* other : {"aspect_ratio 4 diameter 0.003 surface smooth",
                             "aspect_ratio 5 diameter 0.003 surface smooth curvature 90"}) {
@@ -268,27 +253,11 @@ TEST(InsertLine, RefusesParticlesThatDoNotFitTheirCell) {
       << run.output;
 }
 
-// A box, a contact model and a template of rods: what a line needs but the integrator of its bodies.
-const std::string rods_in_a_box = R"(
-atom_style granular
-atom_modify map array
-boundary f f f
-newton off
-communicate single vel yes
-units si
-soft_particles yes
-region box block 0 0.1 0 0.1 -0.005 0.005 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix e all property/global youngsModulus peratomtype 1e6
-fix p all property/global poissonsRatio peratomtype 0.3
-fix r all property/global coefficientRestitution peratomtypepair 1 0.5
-fix c all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model hertz tangential history
-pair_coeff * *
+// A box, a contact model and a template of rods: what a line needs but the integrator of its
+// bodies.
+const std::string rods_in_a_box = Deck().hertz().with(R"(
 fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
-)";
+)");
 
 TEST(InsertLine, RefusesWrongInput) {
   const std::string good = "per_line 2 x 0 0.1 y 0.05 total 4 ";
@@ -339,7 +308,6 @@ TEST(InsertLine, RefusesWrongInput) {
   };
   for (const auto& [arguments, message] : cases) {
     const auto run = run_liggghts(rods_in_a_box + R"(
-timestep 1e-5
 fix bodies all multisphere
 fix lines all insert/line )" + arguments +
                                   "\nrun 1\n");

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "deck.h"
 #include "liggghts_run.h"
 #include "table.h"
 
@@ -22,8 +23,10 @@ namespace {
 
 using Vars = std::map<std::string, std::string>;
 
-// Rods that fall into a narrow box, line by line. `extra`: a line before the run.
-const std::string deck = R"(
+// Rods that fall into a narrow box, line by line, or go on from a restart file. `extra`: a line
+// before the run.
+std::string deck_from(const std::string& restart) {
+  return R"(
 variable style     index verlet
 variable events    index yes
 variable order     index 3
@@ -36,25 +39,13 @@ variable width     index 0.06
 variable height    index 0.03
 variable extra     index "variable none equal 0"
 variable end       index "variable none equal 0"
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f f
-units si
-newton off
-communicate single vel yes
-processors * 1 1
-region box block 0 ${width} 0 0.2 -0.012 0.012 units box
-create_box 1 box
-neighbor 3e-4 bin
-neigh_modify delay 0
-timestep 1.1e-5
-fix kn all property/global kn peratomtypepair 1 1000
-fix kt all property/global kt peratomtypepair 1 500
-fix dn all property/global dampingRatioNormal peratomtypepair 1 0.2
-fix dt all property/global dampingRatioTangential peratomtypepair 1 0.2
-fix mu all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model spring_dashpot tangential spring_dashpot multistepOrder 4
-pair_coeff * *
+)" + Deck().processors("* 1 1")
+             .box("0 ${width} 0 0.2 -0.012 0.012")
+             .restart(restart)
+             .skin("3e-4")
+             .timestep("1.1e-5")
+             .models("model spring_dashpot tangential spring_dashpot multistepOrder 4")
+             .with(R"(
 fix gravity all gravity 9.81 vector 0 -1 0
 fix floor all wall/gran model spring_dashpot tangential spring_dashpot primitive type 1 yplane 0.0 multistepOrder 4
 fix left all wall/gran model spring_dashpot tangential spring_dashpot primitive type 1 xplane 0.0 multistepOrder 4
@@ -71,7 +62,10 @@ dump spheres all multisphere/sphere ${every} spheres.*.dump
 dump contacts all contact/gran ${every} contacts.*.dump
 run ${steps}
 ${end}
-)";
+)");
+}
+
+const std::string deck = deck_from("");
 
 /// Largest difference of a column, over the largest value of `scale` (its own if empty).
 double difference(const Table& a, const Table& b, const std::string& name, double scale = 0) {
@@ -83,13 +77,6 @@ double difference(const Table& a, const Table& b, const std::string& name, doubl
   }
   if (scale == 0) scale = largest;
   return scale > 0 ? worst / scale : worst;
-}
-
-/// The deck, going on from a restart file of an earlier run.
-std::string continued(const std::string& file) {
-  std::string text = deck;
-  const auto begin = text.find("region box"), end = text.find("neighbor 3e-4");
-  return text.replace(begin, end - begin, "read_restart " + file + "\n");
 }
 
 /// Contacts in an order, and with an order of the two bodies, that does not depend on the ranks.
@@ -166,7 +153,7 @@ TEST(PlanarEngine, ForcesOfABedAtRestAreThoseOfTheSphereLevelStyles) {
                               "verlet/planar");
     std::vector<Table> contacts, spheres;
     for (const char* style : {"verlet", "verlet/planar"}) {
-      const auto run = run_liggghts_in(bed.folder, continued("bed.restart"),
+      const auto run = run_liggghts_in(bed.folder, deck_from("bed.restart"),
                                        {{"rods", "60"},
                                         {"height", "0.19"},
                                         {"steps", "10"},
@@ -214,7 +201,7 @@ TEST(PlanarEngine, RestartGoesOnExactly) {
   std::filesystem::remove(run.folder / "bodies.20000.dump");
   Vars rest = vars;
   rest["steps"] = "11000";
-  const auto again = run_liggghts_in(run.folder, continued("r.9000"), rest);
+  const auto again = run_liggghts_in(run.folder, deck_from("r.9000"), rest);
   ASSERT_EQ(again.exit_code, 0) << again.output;
   const Table parts = last(run, "bodies", vars);
   for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})
@@ -256,6 +243,8 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
               HasSubstr("run_style verlet/planar: 'run ... pre no' before a run with 'pre yes'"));
   EXPECT_THAT(output({{"style", "verlet/planar skin 1e-6 1e-3"}, {"steps", "20"}}),
               HasSubstr("skin is at least 1e-06 m, expected"));
+  EXPECT_THAT(output({{"style", "verlet/planar skin thin 1e-3"}}),
+              HasSubstr("run_style verlet/planar: skin is thin, expected 0 < least <= largest"));
   EXPECT_THAT(output({{"style", "verlet/planar skin 2e-3 1e-3"}}),
               HasSubstr("skin is 2e-3 1e-3, expected"));
   EXPECT_THAT(output({{"style", "verlet/planar instructions sse9"}}),
@@ -327,7 +316,7 @@ TEST(PlanarEngine, RanksFindTheForcesOfABedAtRest) {
   vars["end"] = "variable none equal 0";
   const auto contacts_of = [&](const char* style, int ranks) {
     vars["style"] = style;
-    const auto run = run_liggghts_in(bed.folder, continued("bed.restart"), vars, ranks);
+    const auto run = run_liggghts_in(bed.folder, deck_from("bed.restart"), vars, ranks);
     if (run.exit_code != 0) throw std::runtime_error(run.output);
     return by_atoms(read_dump(bed.folder / "contacts.160010.dump"));
   };
@@ -354,7 +343,7 @@ TEST(PlanarEngine, RanksGoOnExactlyFromARestart) {
     std::filesystem::remove(run.folder / "bodies.50000.dump");
     Vars rest = vars;
     rest["steps"] = "11500";
-    const auto again = run_liggghts_in(run.folder, continued("r.38500"), rest, ranks);
+    const auto again = run_liggghts_in(run.folder, deck_from("r.38500"), rest, ranks);
     ASSERT_EQ(again.exit_code, 0) << again.output;
     const Table parts = last(run, "bodies", vars);
     for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace {
@@ -72,32 +73,14 @@ TEST(Planar, WithoutTheFixTheSameSceneLeavesThePlane) {
 }
 
 TEST(Planar, RefusesABodyThatLiesAcrossThePlane) {
-  const auto run = run_liggghts(R"(
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f f
-newton off
-communicate single vel yes
-units si
-soft_particles yes
-region box block 0 0.1 0 0.1 -0.05 0.05 units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix e all property/global youngsModulus peratomtype 1e6
-fix p all property/global poissonsRatio peratomtype 0.3
-fix r all property/global coefficientRestitution peratomtypepair 1 0.5
-fix c all property/global coefficientFriction peratomtypepair 1 0.3
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep 1e-5
+  const auto run = run_liggghts(Deck().hertz().box("0 0.1 0 0.1 -0.05 0.05").with(R"(
 fix rods all particletemplate/multisphere/spherocylinder 7 type 1 aspect_ratio 5 diameter 0.003 surface smooth density 2500
 fix mix all particledistribution/discrete 32452843 1 rods 1
 fix pack all insert/pack seed 32452867 distributiontemplate mix insert_every once overlapcheck yes orientation random all_in yes particles_in_region 5 region box
 fix bodies all multisphere
 fix plane all enforce2d/multisphere
 run 10
-)");
+)"));
   EXPECT_NE(run.exit_code, 0);
   EXPECT_NE(run.output.find("off the plane z = 0"), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("particles must be put into the plane"), std::string::npos);
@@ -105,16 +88,11 @@ run 10
 
 /// A minimal scene around the line under test.
 std::string scene(const std::string& boundary, const std::string& lines) {
-  return "atom_style granular\natom_modify map array\nboundary " + boundary +
-         "\nnewton off\ncommunicate single vel yes\nunits si\nsoft_particles yes\n"
-         "region box block 0 0.1 0 0.1 -0.001 0.001 units box\ncreate_box 1 box\n"
-         "neighbor 0.001 bin\nneigh_modify delay 0\n"
-         "fix e all property/global youngsModulus peratomtype 1e6\n"
-         "fix p all property/global poissonsRatio peratomtype 0.3\n"
-         "fix r all property/global coefficientRestitution peratomtypepair 1 0.5\n"
-         "fix c all property/global coefficientFriction peratomtypepair 1 0.3\n"
-         "pair_style gran model hertz tangential history\npair_coeff * *\ntimestep 1e-5\n" +
-         lines + "\nrun 1\n";
+  return Deck()
+      .hertz()
+      .boundary(boundary)
+      .box("0 0.1 0 0.1 -0.001 0.001")
+      .with(lines + "\nrun 1\n");
 }
 
 void expect_error(const std::string& deck_text, const std::string& message) {

@@ -6,6 +6,7 @@
 #include <regex>
 #include <vector>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace {
@@ -15,34 +16,15 @@ using namespace rodpack::test;
 /// A box without walls or gravity: `templates` define fixes, `insertion` how they are put in.
 std::string scene(const std::string& templates, const std::string& insertion,
                   const std::string& rest = "") {
-  return R"(
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f f
-newton off
-communicate single vel yes
-units si
-soft_particles yes
-region box block 0 0.4 0 0.4 -0.05 0.05 units box
-create_box 2 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix e all property/global youngsModulus peratomtype 1e6 1e6
-fix p all property/global poissonsRatio peratomtype 0.3 0.3
-fix r all property/global coefficientRestitution peratomtypepair 2 0.5 0.5 0.5 0.5
-fix c all property/global coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep 1e-5
-)" + templates +
-         "\n" + insertion + R"(
-fix bodies all multisphere
-)" + rest +
-         R"(
+  return Deck()
+      .hertz()
+      .box("0 0.4 0 0.4 -0.05 0.05")
+      .atom_types(2)
+      .with(templates + "\n" + insertion + "\nfix bodies all multisphere\n" + rest + R"(
 dump spheres all custom 1 spheres.dump id mol type x y z vx vy vz omegax omegay omegaz radius mass
 dump_modify spheres sort id format "%d %d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
 run 1
-)";
+)");
 }
 
 const std::string style = "particletemplate/multisphere/spherocylinder";

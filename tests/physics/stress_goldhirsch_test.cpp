@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 using namespace rodpack::test;
@@ -115,21 +116,14 @@ std::string content(const std::filesystem::path& file) {
 
 /// Two spheres of 3 mm whose centres are 2.9 mm apart, at rest, k_n = 1000 N/m: 0.1 N.
 std::string two_spheres(const std::string& lines) {
-  return "atom_style granular\natom_modify map array\nnewton off\nunits si\n"
-         "communicate single vel yes\nboundary f f f\n"
-         "region box block 0 0.02 0 0.02 -0.01 0.01 units box\ncreate_box 1 box\n"
-         "neighbor 0.001 bin\nneigh_modify delay 0\n"
-         "fix kn all property/global kn peratomtypepair 1 1000\n"
-         "fix kt all property/global kt peratomtypepair 1 500\n"
-         "fix dn all property/global dampingRatioNormal peratomtypepair 1 0.2\n"
-         "fix dt all property/global dampingRatioTangential peratomtypepair 1 0.2\n"
-         "fix mu all property/global coefficientFriction peratomtypepair 1 0.3\n"
-         "pair_style gran model spring_dashpot tangential spring_dashpot\npair_coeff * *\n"
-         "timestep 1e-5\nfix integrate all nve/sphere/ab order 3\n"
-         "create_atoms 1 single 0.009 0.01 0 units box\n"
-         "create_atoms 1 single 0.0119 0.01 0 units box\n"
-         "set group all diameter 0.003 density 2500\n" +
-         lines;
+  return Deck()
+      .box("0 0.02 0 0.02 -0.01 0.01")
+      .with(
+          "fix integrate all nve/sphere/ab order 3\n"
+          "create_atoms 1 single 0.009 0.01 0 units box\n"
+          "create_atoms 1 single 0.0119 0.01 0 units box\n"
+          "set group all diameter 0.003 density 2500\n" +
+          lines);
 }
 
 }  // namespace

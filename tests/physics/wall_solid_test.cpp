@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 #include "table.h"
 
@@ -24,25 +25,13 @@ variable bound  index lo
 variable plane  index 0
 variable down   index -1
 variable steps  index 26000
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f f
-units si
-newton off
-communicate single vel yes
-processors * 1 1
-region box block 0 0.06 -0.01 0.11 -0.012 0.012 units box
-create_box 1 box
-neighbor 3e-4 bin
-neigh_modify delay 0
-timestep 1e-5
-fix kn all property/global kn peratomtypepair 1 3.2
-fix kt all property/global kt peratomtypepair 1 3
-fix dn all property/global dampingRatioNormal peratomtypepair 1 0
-fix dt all property/global dampingRatioTangential peratomtypepair 1 0
-fix mu all property/global coefficientFriction peratomtypepair 1 0
-pair_style gran model spring_dashpot tangential spring_dashpot
-pair_coeff * *
+)" + Deck().processors("* 1 1")
+                             .box("0 0.06 -0.01 0.11 -0.012 0.012")
+                             .skin("3e-4")
+                             .stiffness("3.2", "3")
+                             .damping("0")
+                             .friction("0")
+                             .with(R"(
 fix gravity all gravity 9.81 vector 0 -1 0
 fix floor all wall/gran/solid model spring_dashpot tangential spring_dashpot primitive type 1 yplane ${plane} bound ${bound}
 fix balls all particletemplate/multisphere/spherocylinder 1 atom_type 1 type 1 aspect_ratio 1 diameter 3e-3 surface overlap 0.5 size_spread 0 density constant 2500 planar yes
@@ -63,7 +52,7 @@ variable high equal c_high
 fix motions all print 10 "$e ${low} ${high}" file motions.txt screen no title "# elastic low high"
 run ${steps}
 write_dump all multisphere/body bodies.dump
-)";
+)");
 
 constexpr double gravity = 9.81, k = 3.2, radius = 1.5e-3, start = 0.05;
 const double mass = 2500 * M_PI / 6 * std::pow(2 * radius, 3);
@@ -138,4 +127,6 @@ TEST(SolidWall, WrongInputIsNamed) {
   EXPECT_THAT(output_of("bound ${bound}", "bound"), HasSubstr("got 'nothing'"));
   EXPECT_THAT(output_of("yplane ${plane}", "zcylinder 0.05 0 0"), HasSubstr("got 'zcylinder'"));
   EXPECT_THAT(output_of("bound ${bound}", "bound lo shear x 1"), HasSubstr("'shear'"));
+  EXPECT_THAT(output_of("yplane ${plane}", "yplane low"),
+              HasSubstr("position of the plane must be a number in m, got 'low'"));
 }

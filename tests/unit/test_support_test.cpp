@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace rodpack::test {
@@ -49,6 +50,35 @@ TEST(TestSupport, ReportsExitCodeAndOutputOfACommand) {
   const auto run = run_command("echo heard; exit 3");
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(run.output, "heard\n");
+}
+
+// LIGGGHTS reads commands in their order: the box has to know boundaries and ranks, properties the
+// number of atom types.
+TEST(TestSupport, DecksBeginWithWhatTheyAreTold) {
+  EXPECT_EQ(Deck()
+                .boundary("f p f")
+                .processors("2 1 1")
+                .box("0 1 0 2 0 3")
+                .atom_types(2)
+                .stiffness("7", "8")
+                .damping("0")
+                .friction("0.5")
+                .skin("0.1")
+                .timestep("1e-6")
+                .with("run 1\n"),
+            "atom_style granular\natom_modify map array sort 0 0\nboundary f p f\nunits si\n"
+            "newton off\ncommunicate single vel yes\nsoft_particles yes\nprocessors 2 1 1\n"
+            "region box block 0 1 0 2 0 3 units box\ncreate_box 2 box\n"
+            "neighbor 0.1 bin\nneigh_modify delay 0\n"
+            "fix kn all property/global kn peratomtypepair 2 7 7 7 7\n"
+            "fix kt all property/global kt peratomtypepair 2 8 8 8 8\n"
+            "fix dn all property/global dampingRatioNormal peratomtypepair 2 0 0 0 0\n"
+            "fix dt all property/global dampingRatioTangential peratomtypepair 2 0 0 0 0\n"
+            "fix mu all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5\n"
+            "pair_style gran model spring_dashpot tangential spring_dashpot\npair_coeff * *\n"
+            "timestep 1e-6\nrun 1\n");
+  EXPECT_NE(Deck().restart("a.100").with("").find("\nread_restart a.100\nneighbor"),
+            std::string::npos);
 }
 
 TEST(TestSupport, ObservedOrderOfAQuadraticErrorIsTwo) {

@@ -2,7 +2,6 @@
 #include "contact_recorder.h"
 
 #include "atom.h"
-#include "error.h"
 #include "fix_property_atom.h"
 #include "fix_wall_gran.h"
 #include "force.h"
@@ -10,6 +9,7 @@
 #include "neigh_list.h"
 #include "pair_gran.h"
 #include "rodpack/contact/contact_law.h"
+#include "stop_run.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
@@ -58,22 +58,22 @@ bool reports(Style* style) {
 
 }  // namespace
 
-void ContactRecorder::check_models(const std::string& caller) const {
+void ContactRecorder::check_models() const {
   const char* needs =
       " lists contacts of 'model spring_dashpot' with 'tangential spring_dashpot' or none; ";
   Pair* pair = force->pair_match("gran", 0);
-  if (!pair) error->all(FLERR, (caller + needs + "there is no pair_style gran").c_str());
+  if (!pair) stop_run(lmp, caller_ + needs + "there is no pair_style gran");
   if (!reports(static_cast<PairGran*>(pair)))
-    error->all(FLERR, (caller + needs + "pair_style gran has another").c_str());
+    stop_run(lmp, caller_ + needs + "pair_style gran has another");
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
     if (!reports(wall))
-      error->all(FLERR, (caller + needs + "fix wall/gran " + wall->id + " has another").c_str());
+      stop_run(lmp, caller_ + needs + "fix wall/gran " + wall->id + " has another");
   }
 }
 
-const std::vector<ContactRecord>& ContactRecorder::collect(const std::string& caller) {
-  check_models(caller);
+const std::vector<ContactRecord>& ContactRecorder::collect() {
+  check_models();
   records_.clear();
   PairGran* pair = static_cast<PairGran*>(force->pair_match("gran", 0));
   // The list is good from the evaluation of the forces on until atoms move to other places in
@@ -81,8 +81,7 @@ const std::vector<ContactRecord>& ContactRecorder::collect(const std::string& ca
   const int stale = !pair->list || pair->list->inum != atom->nlocal || !pair->computeflag();
   int any_stale = 0;
   MPI_Allreduce(&stale, &any_stale, 1, MPI_INT, MPI_MAX, world);
-  if (any_stale)
-    error->all(FLERR, (caller + ": contacts are not known here, put a 'run 0' before").c_str());
+  if (any_stale) stop_run(lmp, caller_ + ": contacts are not known here, put a 'run 0' before");
 
   armed_ = this;
   PairAccess::evaluate(pair);

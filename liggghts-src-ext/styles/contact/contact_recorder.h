@@ -31,14 +31,15 @@ struct ContactRecord {
 /// is armed meanwhile.
 class ContactRecorder : protected Pointers {
  public:
-  explicit ContactRecorder(class LAMMPS* lmp) : Pointers(lmp) {}
+  /// `caller`: who wants the contacts, as messages name it: "compute contact/energy".
+  ContactRecorder(class LAMMPS* lmp, const std::string& caller) : Pointers(lmp), caller_(caller) {}
 
-  /// Stops with a message that starts with `caller` if a contact model that runs does not report.
-  void check_models(const std::string& caller) const;
+  /// Stops if a contact model that runs does not report.
+  void check_models() const;
 
   /// All records of this rank. A contact across the border of two ranks, or of a periodic image, is
-  /// in two lists; one of them is primary. `caller` as above, for contacts that are not known yet.
-  const std::vector<ContactRecord>& collect(const std::string& caller);
+  /// in two lists; one of them is primary. Stops if the contacts are not known yet. Collective.
+  const std::vector<ContactRecord>& collect();
 
   /// For the models: the recorder that is collecting, else null.
   static ContactRecorder* armed() { return armed_; }
@@ -53,6 +54,7 @@ class ContactRecorder : protected Pointers {
   bool is_primary(int i, int j) const;
 
   static ContactRecorder* armed_;
+  std::string caller_;
   std::vector<ContactRecord> records_;
 };
 

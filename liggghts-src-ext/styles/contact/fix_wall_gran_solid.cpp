@@ -2,22 +2,21 @@
 #include "fix_wall_gran_solid.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
 
 #include "atom.h"
 #include "contact_interface.h"
-#include "error.h"
 #include "fix_property_atom.h"
-#include "force.h"
 #include "granular_wall.h"
 #include "neighbor.h"
+#include "stop_run.h"
+#include "style_arguments.h"
 
 using namespace LAMMPS_NS;
 
-/// The words of the command that wall/gran understands, and the side.
+/// The command, taken apart: the words that wall/gran understands, and which side is free.
 struct FixWallGranSolid::Arguments {
   std::vector<char*> words;
   std::string plane, bound;
@@ -32,7 +31,8 @@ struct FixWallGranSolid::Arguments {
       words.push_back(arg[k]);
       if (std::strcmp(arg[k], "primitive") != 0 || k + 4 >= narg) continue;
       plane = arg[k + 3];
-      position = lmp->force->numeric(FLERR, arg[k + 4]);
+      position =
+          StyleArguments(lmp, narg, arg, k + 4).number("position of the plane", "a number in m");
     }
   }
 };
@@ -49,22 +49,20 @@ FixWallGranSolid::FixWallGranSolid(LAMMPS* lmp, Arguments given)
   for (int d = 0; d < 3; ++d)
     if (given.plane == planes[d]) axis_ = d;
   if (axis_ < 0)
-    fail("expected a plane, 'primitive type T xplane|yplane|zplane POSITION', got '" + given.plane +
-         "'");
+    stop_run(lmp, *this,
+             "expected a plane, 'primitive type T xplane|yplane|zplane POSITION', got '" +
+                 given.plane + "'");
   if (given.bound != "lo" && given.bound != "hi")
-    fail("bound must be lo (the particles are above the plane) or hi (below it), got '" +
-         given.bound + "'");
+    stop_run(lmp, *this,
+             "bound must be lo (the particles are above the plane) or hi (below it), got '" +
+                 given.bound + "'");
   refuse_what_it_cannot();
 }
 
-void FixWallGranSolid::fail(const std::string& message) const {
-  error->all(FLERR, (std::string("Fix wall/gran/solid (id ") + id + "): " + message).c_str());
-  std::abort();  // not reached
-}
-
 void FixWallGranSolid::refuse_what_it_cannot() const {
-  if (shear_) fail("'shear' is not supported, expected a wall at rest");
-  if (Temp_wall >= 0.0) fail("'temperature' is not supported, expected a wall without heat");
+  if (shear_) stop_run(lmp, *this, "'shear' is not supported, expected a wall at rest");
+  if (Temp_wall >= 0.0)
+    stop_run(lmp, *this, "'temperature' is not supported, expected a wall without heat");
 }
 
 void FixWallGranSolid::pre_force(int vflag) {
@@ -76,7 +74,7 @@ void FixWallGranSolid::pre_force(int vflag) {
     if (depth(i) > -neighbor->skin) near_.push_back(i);
 }
 
-/// As that of wall/gran, with a distance that is negative behind the plane.
+/// Does what wall/gran does, with a distance that is negative behind the plane.
 void FixWallGranSolid::post_force_primitive(int) {
   double** const histories = dnum() > 0 ? fix_history_primitive_->array_atom : NULL;
   double at_rest[] = {0.0, 0.0, 0.0};

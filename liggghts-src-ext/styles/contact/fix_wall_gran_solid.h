@@ -13,9 +13,9 @@ FixStyle(wall/gran/solid,FixWallGranSolid)
 
 namespace LAMMPS_NS {
 
-/// A plane with a solid behind it: pushes spheres back to its free side, however deep they are. The
-/// planes of `wall/gran` push to both sides, which throws out what has come in by more than its
-/// radius.
+/// fix wall/gran/solid: a plane with a solid behind it, which pushes spheres back to its free side,
+/// however deep they are. The planes of `wall/gran` push to both sides, which throws out what has
+/// come in by more than its radius.
 class FixWallGranSolid : public FixWallGran {
  public:
   FixWallGranSolid(class LAMMPS* lmp, int narg, char** arg);
@@ -32,7 +32,6 @@ class FixWallGranSolid : public FixWallGran {
  private:
   struct Arguments;
   FixWallGranSolid(class LAMMPS* lmp, Arguments given);
-  [[noreturn]] void fail(const std::string& message) const;
   double depth(int i) const { return free_side_ * (position_ - x_[i][axis_]) + radius_[i]; }
   void refuse_what_it_cannot() const;
 

@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <cstring>
 #include "comm.h"
-#include "error.h"
-#include "force.h"
 #include "input.h"
 #include "modify.h"
 #include "output.h"
 #include "signal_handling.h"
+#include "stop_run.h"
+#include "style_arguments.h"
 #include "update.h"
 #include "variable.h"
 
@@ -25,39 +25,18 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
       message_(true),
       halted_(false),
       quit_set_here_(false) {
-  if (narg < 7) error->fix_error(FLERR, this, "expected: N v_name operator value");
-  nevery = force->inumeric(FLERR, arg[3]);
-  if (nevery <= 0)
-    error->fix_error(FLERR, this, (std::string("N is ") + arg[3] + ", expected N > 0").c_str());
-  if (std::strncmp(arg[4], "v_", 2) != 0)
-    error->fix_error(
-        FLERR, this,
-        (std::string("condition on ") + arg[4] + ", expected v_ and a variable's name").c_str());
-  variable_ = arg[4] + 2;
-  parse_operator(arg[5]);
-  value_ = force->numeric(FLERR, arg[6]);
-
-  for (int iarg = 7; iarg < narg; iarg += 2) {
-    const std::string keyword = arg[iarg];
-    if (iarg + 1 >= narg) error->fix_error(FLERR, this, (keyword + " needs a value").c_str());
-    const std::string value = arg[iarg + 1];
-    if (keyword == "start") {
-      start_ = ATOBIGINT(arg[iarg + 1]);
-      if (start_ < 0)
-        error->fix_error(FLERR, this, ("start is " + value + ", expected a step >= 0").c_str());
-    } else if (keyword == "hold") {
-      hold_ = ATOBIGINT(arg[iarg + 1]);
-      if (hold_ < 0)
-        error->fix_error(FLERR, this,
-                         ("hold is " + value + ", expected a number of steps >= 0").c_str());
-    } else if (keyword == "message") {
-      if (value != "yes" && value != "no")
-        error->fix_error(FLERR, this, ("message is " + value + ", expected yes or no").c_str());
-      message_ = value == "yes";
-    } else {
-      error->fix_error(FLERR, this, ("unknown keyword " + keyword).c_str());
-    }
-  }
+  StyleArguments arguments(lmp, narg, arg, 3, "Fix", StyleArguments::Wording::is);
+  if (arguments.left() < 4) arguments.fail("expected: N v_name operator value");
+  nevery = arguments.integer("N", "N > 0", [](long n) { return n > 0; });
+  const std::string variable = arguments.word("condition", "v_ and a variable's name");
+  if (variable.compare(0, 2, "v_") != 0)
+    arguments.fail("condition on " + variable + ", expected v_ and a variable's name");
+  variable_ = variable.substr(2);
+  operator_text_ = arguments.peek();
+  operator_ =
+      static_cast<Operator>(arguments.choice("operator", {"<", "<=", ">", ">=", "==", "!="}));
+  value_ = arguments.number("value", "a number");
+  read_keywords(arguments);
 
   scalar_flag = 1;
   restart_global = 1;
@@ -68,17 +47,19 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
   modify->addstep_compute_all((update->ntimestep / nevery) * nevery + nevery);
 }
 
-void FixHalt::parse_operator(const char* text) {
-  static const char* const names[] = {"<", "<=", ">", ">=", "==", "!="};
-  for (int k = 0; k < 6; ++k) {
-    if (std::strcmp(text, names[k]) != 0) continue;
-    operator_ = static_cast<Operator>(k);
-    operator_text_ = text;
-    return;
+void FixHalt::read_keywords(StyleArguments& arguments) {
+  const auto not_negative = [](bigint steps) { return steps >= 0; };
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "a keyword");
+    if (keyword == "start")
+      start_ = arguments.step(keyword, "a step >= 0", not_negative);
+    else if (keyword == "hold")
+      hold_ = arguments.step(keyword, "a number of steps >= 0", not_negative);
+    else if (keyword == "message")
+      message_ = arguments.yes_or_no(keyword);
+    else
+      arguments.reject_keyword(keyword, "start, hold or message");
   }
-  error->fix_error(
-      FLERR, this,
-      (std::string("operator is ") + text + ", expected <, <=, >, >=, == or !=").c_str());
 }
 
 bool FixHalt::holds(double left) const {
@@ -102,9 +83,9 @@ int FixHalt::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN; }
 
 void FixHalt::init() {
   index_ = input->variable->find(const_cast<char*>(variable_.c_str()));
-  if (index_ < 0) error->fix_error(FLERR, this, ("there is no variable " + variable_).c_str());
+  if (index_ < 0) stop_run(lmp, *this, "there is no variable " + variable_);
   if (!input->variable->equalstyle(index_))
-    error->fix_error(FLERR, this, ("variable " + variable_ + " is not of style equal").c_str());
+    stop_run(lmp, *this, "variable " + variable_ + " is not of style equal");
 }
 
 void FixHalt::setup(int) { halted_ = false; }

@@ -12,8 +12,8 @@ FixStyle(halt,FixHalt)
 
 namespace LAMMPS_NS {
 
-/// Ends a run when an equal-style variable meets a condition, or has met it for a while; the input
-/// script goes on. Scalar: 1 if the last run was ended by this fix, else 0.
+/// fix halt: ends a run when an equal-style variable meets a condition, or has met it for a while;
+/// the input script goes on. Its scalar is 1 if the last run was ended by this fix, else 0.
 class FixHalt : public Fix {
  public:
   FixHalt(class LAMMPS* lmp, int narg, char** arg);
@@ -27,8 +27,9 @@ class FixHalt : public Fix {
   double compute_scalar() { return halted_ ? 1.0 : 0.0; }
 
  private:
+  // as the words that the command knows, one after the other
   enum Operator { LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL };
-  void parse_operator(const char* text);
+  void read_keywords(class StyleArguments& arguments);
   bool holds(double left) const;
 
   std::string variable_;

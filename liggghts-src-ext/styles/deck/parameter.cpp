@@ -2,8 +2,6 @@
 #include "parameter.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -12,8 +10,9 @@
 #include <set>
 
 #include "comm.h"
-#include "error.h"
 #include "input.h"
+#include "stop_run.h"
+#include "style_arguments.h"
 #include "variable.h"
 
 using namespace LAMMPS_NS;
@@ -30,7 +29,7 @@ std::vector<std::string> command_line() {
   return words;
 }
 
-std::string json_string(const std::string &text) {
+std::string json_string(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') quoted += '\\';
@@ -39,7 +38,8 @@ std::string json_string(const std::string &text) {
   return quoted + "\"";
 }
 
-/// Shortest text that reads back as the same number (users write ".5" or "+1", JSON does not allow it).
+/// Shortest text that reads back as the same number (users write ".5" or "+1", JSON does not allow
+/// it).
 std::string json_number(double number) {
   char text[32];
   for (int digits = 6; digits <= 17; ++digits) {
@@ -49,18 +49,9 @@ std::string json_number(double number) {
   return text;
 }
 
-bool to_number(const std::string &text, bool integer, double &number) {
-  char *end = nullptr;
-  errno = 0;
-  number = integer ? static_cast<double>(std::strtoll(text.c_str(), &end, 10))
-                   : std::strtod(text.c_str(), &end);
-  const bool complete = end != text.c_str() && *end == '\0';
-  return complete && errno != ERANGE && std::abs(number) < HUGE_VAL;
-}
-
 }  // namespace
 
-void Parameter::command(int narg, char **arg) {
+void Parameter::command(int narg, char** arg) {
   const std::vector<std::string> words(arg, arg + narg);
   if (narg == 1 && words[0] == "check")
     check_command_line();
@@ -71,83 +62,96 @@ void Parameter::command(int narg, char **arg) {
   else if (narg == 1 && words[0] == "clear")
     declared_.clear();
   else
-    declare(words);
+    declare(narg, arg);
 }
 
-void Parameter::declare(const std::vector<std::string> &words) {
-  if (words.size() < 3)
-    fail("expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME choice A B ...', "
-         "got " + std::to_string(words.size()) + " words");
-  Declaration it{words[0], words[1], "", ""};
-  const std::string who = "parameter '" + it.name + "': ";
-
+void Parameter::declare(int narg, char** arg) {
+  if (narg < 3)
+    stop_run(
+        lmp,
+        "expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME choice A B "
+        "...', got " +
+            std::to_string(narg) + " words");
+  Declaration it{arg[0], arg[1], take_value(arg[0], arg[2]), ""};
+  StyleArguments arguments(lmp, "parameter '" + it.name + "'", narg, arg, 2);
   if (it.type == "choice") {
-    const std::set<std::string> choices(words.begin() + 2, words.end());
-    it.value = take_value(it.name, words[2]);
-    if (!choices.count(it.value)) {
-      std::string list;
-      for (auto word = words.begin() + 2; word != words.end(); ++word) list += " " + *word;
-      fail(who + "value '" + it.value + "' is none of:" + list);
-    }
-    // the input language compares numbers only, so a deck tests ${NAME_is_CHOICE} == 1
-    for (const auto &choice : choices)
-      set_variable(it.name + "_is_" + choice, "string", choice == it.value ? "1" : "0");
+    declare_choice(it, arguments);
   } else if (it.type == "text") {
-    it.value = take_value(it.name, words[2]);
-    set_variable(it.name + "_given", "string", it.value == words[2] ? "0" : "1");
+    set_variable(it.name + "_given", "string", it.value == arguments.peek() ? "0" : "1");
   } else if (it.type == "real" || it.type == "integer") {
-    const bool integer = it.type == "integer";
-    it.value = take_value(it.name, words[2]);
-    double number = 0;
-    if (!to_number(it.value, integer, number))
-      fail(who + "expected " + (integer ? "an integer" : "a number") + ", got '" + it.value + "'");
-    for (std::size_t k = 3; k < words.size(); k += 2) {
-      if (k + 1 == words.size()) fail(who + "keyword '" + words[k] + "' needs a value");
-      if (words[k] == "unit") {
-        it.unit = words[k + 1];
-        continue;
-      }
-      double bound = 0;
-      if (!to_number(words[k + 1], false, bound))
-        fail(who + "keyword '" + words[k] + "' needs a number, got '" + words[k + 1] + "'");
-      const bool kept = words[k] == "minimum" ? number >= bound
-                        : words[k] == "above" ? number > bound
-                        : words[k] == "maximum" ? number <= bound
-                        : words[k] == "below"   ? number < bound
-                                                : (fail(who + "unknown keyword '" + words[k] + "'"), false);
-      if (!kept) fail(who + "expected " + words[k] + " " + words[k + 1] + ", got " + it.value);
-    }
+    declare_number(it, arguments);
   } else {
-    fail(who + "unknown type '" + it.type + "', expected real, integer, text or choice");
+    arguments.fail("unknown type '" + it.type + "', expected real, integer, text or choice");
   }
   declared_.erase(std::remove_if(declared_.begin(), declared_.end(),
-                                 [&](const Declaration &d) { return d.name == it.name; }),
+                                 [&](const Declaration& d) { return d.name == it.name; }),
                   declared_.end());
   declared_.push_back(it);
+}
+
+void Parameter::declare_choice(const Declaration& it, StyleArguments& arguments) {
+  std::string list;
+  std::set<std::string> choices;
+  while (arguments.more()) {
+    const std::string choice = arguments.word("choice", "a word");
+    choices.insert(choice);
+    list += " " + choice;
+  }
+  if (!choices.count(it.value)) arguments.fail("value '" + it.value + "' is none of:" + list);
+  // the input language compares numbers only, so a deck tests ${NAME_is_CHOICE} == 1
+  for (const auto& choice : choices)
+    set_variable(it.name + "_is_" + choice, "string", choice == it.value ? "1" : "0");
+}
+
+void Parameter::declare_number(Declaration& it, StyleArguments& arguments) {
+  double number = 0;
+  long long whole = 0;
+  const bool integer = it.type == "integer";
+  if (!(integer ? read_integer(it.value, whole) : read_number(it.value, number)))
+    arguments.fail(std::string("expected ") + (integer ? "an integer" : "a number") + ", got '" +
+                   it.value + "'");
+  if (integer) number = static_cast<double>(whole);
+  arguments.word("default", "a number");  // which the value of the command line may have replaced
+  while (arguments.more()) {
+    const std::string keyword = arguments.word("", "a keyword"), text = arguments.peek();
+    if (keyword == "unit") {
+      it.unit = arguments.word(keyword, "the name of a unit");
+      continue;
+    }
+    if (keyword != "minimum" && keyword != "above" && keyword != "maximum" && keyword != "below")
+      arguments.reject_keyword(keyword, "unit, minimum, above, maximum or below");
+    const double bound = arguments.number(keyword, "a number");
+    const bool kept = keyword == "minimum"   ? number >= bound
+                      : keyword == "above"   ? number > bound
+                      : keyword == "maximum" ? number <= bound
+                                             : number < bound;
+    if (!kept) arguments.fail("expected " + keyword + " " + text + ", got " + it.value);
+  }
 }
 
 void Parameter::check_command_line() const {
   const std::vector<std::string> words = command_line();
   for (std::size_t k = 0; k + 1 < words.size(); ++k) {
     if (words[k] != "-var" && words[k] != "-v") continue;
-    const std::string &name = words[k + 1];
+    const std::string& name = words[k + 1];
     if (std::any_of(declared_.begin(), declared_.end(),
-                    [&](const Declaration &d) { return d.name == name; }))
+                    [&](const Declaration& d) { return d.name == name; }))
       continue;
     std::string list;
-    for (const auto &d : declared_) list += " " + d.name;
-    fail("unknown deck parameter '" + name + "' on the command line; this deck takes:" + list);
+    for (const auto& d : declared_) list += " " + d.name;
+    stop_run(lmp,
+             "unknown deck parameter '" + name + "' on the command line; this deck takes:" + list);
   }
 }
 
-std::string Parameter::json_entry(const Declaration &d) {
+std::string Parameter::json_entry(const Declaration& d) {
   const bool number = d.type == "real" || d.type == "integer";
   const std::string value =
       number ? json_number(std::strtod(d.value.c_str(), nullptr)) : json_string(d.value);
   return json_string(d.unit.empty() ? d.name : d.name + "_" + d.unit) + ": " + value;
 }
 
-void Parameter::write(const std::string &file) const {
+void Parameter::write(const std::string& file) const {
   enum { written, exists, failed };
   int result = written;
   if (comm->me == 0 && std::ifstream(file)) {
@@ -155,38 +159,42 @@ void Parameter::write(const std::string &file) const {
   } else if (comm->me == 0) {
     std::ofstream out(file);
     out << "{\n  \"format\": \"rodpack-run 1\"";
-    for (const auto &d : declared_) out << ",\n  " << json_entry(d);
+    for (const auto& d : declared_) out << ",\n  " << json_entry(d);
     out << "\n}\n";
     out.close();
     if (!out) result = failed;
   }
   MPI_Bcast(&result, 1, MPI_INT, 0, world);
   if (result == exists)
-    fail("'" + file + "' exists already: a run is never overwritten, choose another folder or resume it");
-  if (result == failed) fail("cannot write '" + file + "': does its folder exist?");
+    stop_run(
+        lmp,
+        "'" + file +
+            "' exists already: a run is never overwritten, choose another folder or resume it");
+  if (result == failed) stop_run(lmp, "cannot write '" + file + "': does its folder exist?");
 }
 
-void Parameter::compare(const std::string &file, const std::set<std::string> &except) const {
-  for (const auto &name : except)
+void Parameter::compare(const std::string& file, const std::set<std::string>& except) const {
+  for (const auto& name : except)
     if (std::none_of(declared_.begin(), declared_.end(),
-                     [&](const Declaration &d) { return d.name == name; }))
-      fail("parameter compare: '" + name + "' after 'except' is no parameter");
+                     [&](const Declaration& d) { return d.name == name; }))
+      stop_run(lmp, "parameter compare: '" + name + "' after 'except' is no parameter");
   std::string difference;
   if (comm->me == 0) {
     std::ifstream in(file);
-    if (!in) difference = "cannot read '" + file + "': expected the parameters of the run to go on with";
+    if (!in)
+      difference = "cannot read '" + file + "': expected the parameters of the run to go on with";
     std::vector<std::string> lines;  // as write() made them: one entry a line
     for (std::string line; std::getline(in, line);) {
       line.erase(0, line.find_first_not_of(' '));
       if (!line.empty() && line.back() == ',') line.pop_back();
       lines.push_back(line);
     }
-    for (const auto &d : declared_) {
+    for (const auto& d : declared_) {
       if (!difference.empty()) break;
       const std::string entry = json_entry(d);
       if (except.count(d.name) || std::count(lines.begin(), lines.end(), entry)) continue;
       const std::string key = entry.substr(0, entry.find(": ") + 2);
-      const auto before = std::find_if(lines.begin(), lines.end(), [&](const std::string &line) {
+      const auto before = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
         return line.compare(0, key.size(), key) == 0;
       });
       difference = "parameter '" + d.name + "': expected as in '" + file + "', " +
@@ -198,23 +206,18 @@ void Parameter::compare(const std::string &file, const std::set<std::string> &ex
   MPI_Bcast(&size, 1, MPI_INT, 0, world);
   difference.resize(size);
   MPI_Bcast(&difference[0], size, MPI_CHAR, 0, world);
-  if (size > 0) fail(difference);
+  if (size > 0) stop_run(lmp, difference);
 }
 
-std::string Parameter::take_value(const std::string &name, const std::string &fallback) const {
+std::string Parameter::take_value(const std::string& name, const std::string& fallback) const {
   // "index" leaves a variable alone that the command line has set already
   set_variable(name, "index", fallback);
-  return input->variable->retrieve(const_cast<char *>(name.c_str()));
+  return input->variable->retrieve(const_cast<char*>(name.c_str()));
 }
 
-void Parameter::set_variable(const std::string &name, const std::string &style,
-                             const std::string &value) const {
+void Parameter::set_variable(const std::string& name, const std::string& style,
+                             const std::string& value) const {
   std::string words[] = {name, style, value};
-  char *arg[] = {&words[0][0], &words[1][0], &words[2][0]};
+  char* arg[] = {&words[0][0], &words[1][0], &words[2][0]};
   input->variable->set(3, arg);
-}
-
-void Parameter::fail(const std::string &message) const {
-  error->all(FLERR, message.c_str());
-  std::abort();  // error->all does not return, but does not say so
 }

@@ -16,28 +16,30 @@ CommandStyle(parameter, Parameter)
 
 namespace LAMMPS_NS {
 
-/// Declares, validates and records the parameters that a deck takes from the command line (-var);
-/// syntax in doc/parameter.md.
+/// Command parameter: declares, validates and records the parameters that a deck takes from the
+/// command line (-var); see doc/parameter.md.
 class Parameter : protected Pointers {
  public:
-  explicit Parameter(LAMMPS *lmp) : Pointers(lmp) {}
-  void command(int narg, char **arg);
+  explicit Parameter(LAMMPS* lmp) : Pointers(lmp) {}
+  void command(int narg, char** arg);
 
  private:
   struct Declaration {
     std::string name, type, value, unit;
   };
 
-  void declare(const std::vector<std::string> &words);
+  void declare(int narg, char** arg);
+  void declare_choice(const Declaration& it, class StyleArguments& arguments);
+  void declare_number(Declaration& it, class StyleArguments& arguments);
   void check_command_line() const;
-  void write(const std::string &file) const;
-  void compare(const std::string &file, const std::set<std::string> &except) const;
-  static std::string json_entry(const Declaration &declaration);
-  std::string take_value(const std::string &name, const std::string &fallback) const;
-  void set_variable(const std::string &name, const std::string &style, const std::string &value) const;
-  [[noreturn]] void fail(const std::string &message) const;
+  void write(const std::string& file) const;
+  void compare(const std::string& file, const std::set<std::string>& except) const;
+  static std::string json_entry(const Declaration& declaration);
+  std::string take_value(const std::string& name, const std::string& fallback) const;
+  void set_variable(const std::string& name, const std::string& style,
+                    const std::string& value) const;
 
-  // a command object lives for one line only, the declarations for the whole deck
+  // A command object lives for one line only, the declarations for the whole deck.
   static std::vector<Declaration> declared_;
 };
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include "atom.h"
 #include "domain.h"
 #include "style_arguments.h"
 
@@ -13,11 +14,9 @@ namespace LAMMPS_NS {
 
 namespace {
 
-bool any(double) { return true; }
-bool positive(double value) { return value > 0.0; }
 bool share(double value) { return value > 0.0 && value < 1.0; }
 
-// As read, before one setting is held against another.
+// The settings as they are read, before one is held against another.
 struct Words {
   double scale = 0.0;
   double spacing = 0.0;
@@ -32,7 +31,7 @@ struct Words {
 
 rodpack::Vector read_point(StyleArguments& arguments, int dimension) {
   rodpack::Vector point{{0.0, 0.0, 0.0}};
-  for (int d = 0; d < dimension; ++d) point[d] = arguments.number("point", "a coordinate (m)", any);
+  for (int d = 0; d < dimension; ++d) point[d] = arguments.number("point", "a coordinate (m)");
   return point;
 }
 
@@ -57,10 +56,11 @@ void read_points(const StyleArguments& arguments, const std::string& name, Words
 
 void read_keyword(StyleArguments& arguments, const std::string& keyword, Words& words) {
   if (keyword == "scale") {
-    words.scale = arguments.number(keyword, "a length > 0 (m)", positive);
+    words.scale = arguments.number(keyword, "a length > 0 (m)", StyleArguments::positive);
     if (arguments.peek() != "times") return;
     arguments.word(keyword, "times");
-    words.scale *= arguments.number("scale ... times", "a length > 0 (m)", positive);
+    words.scale *=
+        arguments.number("scale ... times", "a length > 0 (m)", StyleArguments::positive);
   } else if (keyword == "dimension") {
     words.dimension =
         arguments.integer(keyword, "2 or 3", [](long value) { return value == 2 || value == 3; });
@@ -73,13 +73,13 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Words& 
   } else if (keyword == "tolerance") {
     words.tolerance = arguments.number(keyword, "a number between 0 and 1", share);
   } else if (keyword == "cutoff") {
-    words.cutoff = arguments.number(keyword, "a number of scales > 0", positive);
+    words.cutoff = arguments.number(keyword, "a number of scales > 0", StyleArguments::positive);
   } else if (keyword == "spacing") {
-    words.spacing = arguments.number(keyword, "a length > 0 (m)", positive);
+    words.spacing = arguments.number(keyword, "a length > 0 (m)", StyleArguments::positive);
   } else if (keyword == "box") {
     words.box.clear();
     for (int k = 0; k < 2 * words.dimension; ++k)
-      words.box.push_back(arguments.number(keyword, "a coordinate (m)", any));
+      words.box.push_back(arguments.number(keyword, "a coordinate (m)"));
   } else if (keyword == "point") {
     words.points.push_back(read_point(arguments, words.dimension));
   } else if (keyword == "points") {
@@ -87,9 +87,9 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Words& 
   } else if (keyword == "couple") {
     words.couple = arguments.yes_or_no(keyword);
   } else {
-    arguments.fail("unknown keyword '" + keyword +
-                   "', expected scale, dimension, kernel, line, tolerance, cutoff, spacing, box, "
-                   "point, points or couple");
+    arguments.reject_keyword(keyword,
+                             "scale, dimension, kernel, line, tolerance, cutoff, spacing, box, "
+                             "point, points or couple");
   }
 }
 
@@ -117,6 +117,8 @@ rodpack::CoarseGraining AveragingOptions::start() const {
 AveragingOptions read_averaging_options(LAMMPS* lmp, int narg, char** arg, int first) {
   StyleArguments arguments(lmp, narg, arg, first, "Compute");
   const Domain& domain = *lmp->domain;
+  arguments.require_group_all("averages all particles");
+  if (!lmp->atom->sphere_flag) arguments.fail("requires atom style sphere");
   Words words;
   while (arguments.more()) {
     const std::string keyword = arguments.word("keyword", "a keyword");

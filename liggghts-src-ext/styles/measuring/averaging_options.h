@@ -9,19 +9,19 @@
 
 namespace LAMMPS_NS {
 
-/// What `compute stress/goldhirsch` is told: kernel, places, and how to integrate.
+/// The settings of one `compute stress/goldhirsch`: kernel, places, and how to integrate.
 struct AveragingOptions {
   std::unique_ptr<rodpack::AveragingKernel> kernel;
   rodpack::Grid grid;
   std::vector<rodpack::Vector> points;  // in place of the grid if there are any
   rodpack::CoarseGrainingOptions averaging;
 
-  /// A fresh set of sums at the places.
+  /// Returns averages with all sums at zero.
   rodpack::CoarseGraining start() const;
 };
 
-/// Reads the words after the style's name. Stops with one line that names keyword, value and what
-/// was expected.
+/// Reads the words from arg[first] on, those after the style's name; stops the run with one line
+/// that names keyword, value and what was expected if they are wrong.
 AveragingOptions read_averaging_options(LAMMPS* lmp, int narg, char** arg, int first);
 
 }  // namespace LAMMPS_NS

@@ -30,8 +30,8 @@ std::vector<BodyChain> body_chains(LAMMPS* lmp, const ParticleIdentity& particle
   }
   if (all_known) return chains;
 
-  // Bodies of another template: the straight chain that encloses their spheres. The rank that owns
-  // a body has all of its spheres, owned or as ghosts.
+  // Bodies of another template get the straight chain that encloses their spheres. The rank that
+  // owns a body has all of its spheres, owned or as ghosts.
   for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
     const int body = particles.body_of(i);
     const int k = body >= 0 ? data.map(body) : -1;

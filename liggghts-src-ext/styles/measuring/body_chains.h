@@ -7,7 +7,7 @@
 
 namespace LAMMPS_NS {
 
-/// The chain that a body consists of.
+/// The chain of spheres that a body consists of.
 struct BodyChain {
   double half_length;  // l_axial / 2, m
   double radius;       // of the primary spheres, m
@@ -15,11 +15,11 @@ struct BodyChain {
   double area;         // covered, m^2
 };
 
-/// One for each body of this rank; for a body of another template than ours the straight chain that
-/// encloses its spheres.
+/// Returns the chain of each body of this rank; for a body of another template than ours the
+/// straight chain that encloses its spheres.
 std::vector<BodyChain> body_chains(LAMMPS* lmp, const class ParticleIdentity& particles);
 
-/// Volume of the union of so many evenly spaced spheres, m^3.
+/// Volume of the union of a chain's evenly spaced spheres, of which there are `spheres`, m^3.
 double volume(const BodyChain& chain, int spheres);
 
 }  // namespace LAMMPS_NS

@@ -2,38 +2,23 @@
 #include "compute_contact_energy.h"
 
 #include <mpi.h>
-#include "error.h"
-#include "update.h"
+#include "style_arguments.h"
 
 namespace LAMMPS_NS {
 
 ComputeContactEnergy::ComputeContactEnergy(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg), recorder_(lmp) {
-  if (narg > iarg)
-    error->compute_error(FLERR, this, (std::string("unknown keyword ") + arg[iarg]).c_str());
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "counts all contacts: the group has to be 'all'");
-  scalar_flag = vector_flag = 1;
-  extscalar = extvector = 1;
-  size_vector = 2;
-  vector = new double[size_vector];
+    : VectorCompute(lmp, iarg, narg, arg, 2, true),
+      recorder_(lmp, std::string("compute ") + style) {
+  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  arguments.require_end();
+  arguments.require_group_all("counts all contacts");
 }
 
-ComputeContactEnergy::~ComputeContactEnergy() { delete[] vector; }
+void ComputeContactEnergy::init() { recorder_.check_models(); }
 
-void ComputeContactEnergy::init() { recorder_.check_models(std::string("compute ") + style); }
-
-double ComputeContactEnergy::compute_scalar() {
-  invoked_scalar = update->ntimestep;
-  compute_vector();
-  scalar = vector[0] + vector[1];
-  return scalar;
-}
-
-void ComputeContactEnergy::compute_vector() {
-  invoked_vector = update->ntimestep;
+void ComputeContactEnergy::evaluate() {
   double own[2] = {0.0, 0.0};
-  for (const ContactRecord& contact : recorder_.collect(std::string("compute ") + style)) {
+  for (const ContactRecord& contact : recorder_.collect()) {
     if (!contact.primary) continue;
     own[0] += 0.5 * contact.kn * contact.overlap * contact.overlap;
     own[1] += 0.5 * contact.kt * contact.spring * contact.spring;

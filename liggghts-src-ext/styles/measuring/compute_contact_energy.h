@@ -7,20 +7,21 @@ ComputeStyle(contact/energy,ComputeContactEnergy)
 #ifndef LMP_COMPUTE_CONTACT_ENERGY_H
 #define LMP_COMPUTE_CONTACT_ENERGY_H
 
-#include "compute.h"
 #include "contact_recorder.h"
+#include "vector_compute.h"
 
 namespace LAMMPS_NS {
 
-/// Elastic energy of all contacts, J: scalar sum k_n delta^2 / 2 + k_t s^2 / 2; vector (normal,
-/// tangential).
-class ComputeContactEnergy : public Compute {
+/// compute contact/energy: the elastic energy of all contacts, J. Its vector holds the sums of
+/// k_n delta^2 / 2 and of k_t s^2 / 2 over the contacts, its scalar the total.
+class ComputeContactEnergy : public VectorCompute {
  public:
   ComputeContactEnergy(class LAMMPS* lmp, int& iarg, int narg, char** arg);
-  ~ComputeContactEnergy();
   void init();
-  double compute_scalar();
-  void compute_vector();
+
+ protected:
+  void evaluate();
+  double scalar_of_vector() const { return vector[0] + vector[1]; }
 
  private:
   ContactRecorder recorder_;

@@ -5,49 +5,31 @@
 #include <algorithm>
 #include <set>
 #include <utility>
-#include "error.h"
-#include "force.h"
 #include "gather.h"
 #include "particle_identity.h"
-#include "update.h"
+#include "style_arguments.h"
 
 namespace LAMMPS_NS {
 
 ComputeContactOverlap::ComputeContactOverlap(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg), recorder_(lmp) {
-  if (narg != iarg + 1)
-    error->compute_error(FLERR, this, "expected one argument, the largest overlap allowed (m)");
-  limit_ = force->numeric(FLERR, arg[iarg]);
-  if (!(limit_ > 0.0))
-    error->compute_error(
-        FLERR, this, (std::string("overlap is ") + arg[iarg] + ", expected a length > 0").c_str());
+    : VectorCompute(lmp, iarg, narg, arg, 3, false),
+      recorder_(lmp, std::string("compute ") + style) {
+  StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  if (arguments.left() != 1)
+    arguments.fail("expected one argument, the largest overlap allowed (m)");
+  limit_ = arguments.number("overlap", "a length > 0", StyleArguments::positive);
   ++iarg;
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "counts all contacts: the group has to be 'all'");
-  scalar_flag = vector_flag = 1;
-  extscalar = extvector = 0;
-  size_vector = 3;
-  vector = new double[size_vector];
+  arguments.require_group_all("counts all contacts");
 }
 
-ComputeContactOverlap::~ComputeContactOverlap() { delete[] vector; }
+void ComputeContactOverlap::init() { recorder_.check_models(); }
 
-void ComputeContactOverlap::init() { recorder_.check_models(std::string("compute ") + style); }
-
-double ComputeContactOverlap::compute_scalar() {
-  invoked_scalar = update->ntimestep;
-  compute_vector();
-  scalar = vector[0];
-  return scalar;
-}
-
-void ComputeContactOverlap::compute_vector() {
-  invoked_vector = update->ntimestep;
+void ComputeContactOverlap::evaluate() {
   const ParticleIdentity particles(lmp);
   double deepest = 0.0;
   bigint contacts = 0;
   std::vector<int> deep;  // pairs of particle ids, flat
-  for (const ContactRecord& contact : recorder_.collect(std::string("compute ") + style)) {
+  for (const ContactRecord& contact : recorder_.collect()) {
     if (!contact.primary) continue;
     ++contacts;
     deepest = std::max(deepest, contact.overlap);

@@ -7,21 +7,23 @@ ComputeStyle(contact/overlap,ComputeContactOverlap)
 #ifndef LMP_COMPUTE_CONTACT_OVERLAP_H
 #define LMP_COMPUTE_CONTACT_OVERLAP_H
 
-#include "compute.h"
 #include "contact_recorder.h"
+#include "vector_compute.h"
 
 namespace LAMMPS_NS {
 
-/// Particles that lie too deep in each other. Scalar: number of pairs of particles with an overlap
-/// above the given length in at least one of their contacts; vector (that number, largest overlap
-/// of all contacts in m, number of contacts), walls included in the last two.
-class ComputeContactOverlap : public Compute {
+/// compute contact/overlap: counts particles that lie too deep in each other. Its scalar is the
+/// number of pairs of particles with an overlap above the given length in at least one of their
+/// contacts; its vector holds that number, the largest overlap of all contacts in m, and the number
+/// of contacts, walls included in the last two.
+class ComputeContactOverlap : public VectorCompute {
  public:
   ComputeContactOverlap(class LAMMPS* lmp, int& iarg, int narg, char** arg);
-  ~ComputeContactOverlap();
   void init();
-  double compute_scalar();
-  void compute_vector();
+
+ protected:
+  void evaluate();
+  double scalar_of_vector() const { return vector[0]; }
 
  private:
   ContactRecorder recorder_;

@@ -4,38 +4,22 @@
 #include <mpi.h>
 #include <string>
 #include "atom.h"
-#include "error.h"
 #include "fix_multisphere.h"
 #include "particle_identity.h"
-#include "update.h"
+#include "style_arguments.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
 
 ComputeMultisphereKe::ComputeMultisphereKe(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg) {
-  if (narg > iarg)
-    error->compute_error(FLERR, this, (std::string("unknown keyword ") + arg[iarg]).c_str());
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "counts whole bodies: the group has to be 'all'");
-  if (!atom->sphere_flag) error->compute_error(FLERR, this, "requires atom style sphere");
-  scalar_flag = vector_flag = 1;
-  extscalar = extvector = 1;
-  size_vector = 2;
-  vector = new double[size_vector];
+    : VectorCompute(lmp, iarg, narg, arg, 2, true) {
+  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  arguments.require_end();
+  arguments.require_group_all("counts whole bodies");
+  if (!atom->sphere_flag) arguments.fail("requires atom style sphere");
 }
 
-ComputeMultisphereKe::~ComputeMultisphereKe() { delete[] vector; }
-
-double ComputeMultisphereKe::compute_scalar() {
-  invoked_scalar = update->ntimestep;
-  compute_vector();
-  scalar = vector[0] + vector[1];
-  return scalar;
-}
-
-void ComputeMultisphereKe::compute_vector() {
-  invoked_vector = update->ntimestep;
+void ComputeMultisphereKe::evaluate() {
   const ParticleIdentity particles(lmp);
   double own[2] = {0.0, 0.0};
 

@@ -7,19 +7,19 @@ ComputeStyle(multisphere/ke,ComputeMultisphereKe)
 #ifndef LMP_COMPUTE_MULTISPHERE_KE_H
 #define LMP_COMPUTE_MULTISPHERE_KE_H
 
-#include "compute.h"
+#include "vector_compute.h"
 
 namespace LAMMPS_NS {
 
-/// Kinetic energy of all particles, bodies and plain spheres, J: scalar total; vector
-/// (translational, rotational).
-class ComputeMultisphereKe : public Compute {
+/// compute multisphere/ke: the kinetic energy of all particles, bodies and plain spheres, J. Its
+/// vector holds the translational and the rotational energy, its scalar the total.
+class ComputeMultisphereKe : public VectorCompute {
  public:
   ComputeMultisphereKe(class LAMMPS* lmp, int& iarg, int narg, char** arg);
-  ~ComputeMultisphereKe();
-  void init() {}
-  double compute_scalar();
-  void compute_vector();
+
+ protected:
+  void evaluate();
+  double scalar_of_vector() const { return vector[0] + vector[1]; }
 };
 
 }  // namespace LAMMPS_NS

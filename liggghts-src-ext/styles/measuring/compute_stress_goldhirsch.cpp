@@ -7,12 +7,12 @@
 #include <string>
 #include "atom.h"
 #include "body_chains.h"
-#include "error.h"
 #include "fix_multisphere.h"
 #include "gather.h"
 #include "math_const.h"
 #include "memory.h"
 #include "particle_identity.h"
+#include "stop_run.h"
 #include "update.h"
 #include "vector_liggghts.h"
 
@@ -22,16 +22,11 @@ ComputeStressGoldhirsch::ComputeStressGoldhirsch(LAMMPS* lmp, int& iarg, int nar
     : Compute(lmp, iarg, narg, arg),
       options_(read_averaging_options(lmp, narg, arg, iarg)),
       averages_(options_.start()),
-      recorder_(lmp) {
+      recorder_(lmp, std::string("compute ") + style) {
   iarg = narg;
-  if (igroup != 0)
-    error->compute_error(FLERR, this, "averages all particles: the group has to be 'all'");
-  if (!atom->sphere_flag) error->compute_error(FLERR, this, "requires atom style sphere");
   if (averages_.sums().size() > INT_MAX)
-    error->compute_error(
-        FLERR, this,
-        (std::to_string(averages_.places()) + " places are too many to be added up over ranks")
-            .c_str());
+    stop_run(lmp, *this,
+             std::to_string(averages_.places()) + " places are too many to be added up over ranks");
   fields_ = averages_.fields();
   array_flag = 1;
   extarray = 0;
@@ -44,7 +39,7 @@ ComputeStressGoldhirsch::ComputeStressGoldhirsch(LAMMPS* lmp, int& iarg, int nar
 
 ComputeStressGoldhirsch::~ComputeStressGoldhirsch() { memory->destroy(array); }
 
-void ComputeStressGoldhirsch::init() { recorder_.check_models(std::string("compute ") + style); }
+void ComputeStressGoldhirsch::init() { recorder_.check_models(); }
 
 double ComputeStressGoldhirsch::memory_usage() {
   const double columns = size_array_cols;
@@ -72,7 +67,7 @@ void ComputeStressGoldhirsch::evaluate() {
   const ParticleIdentity particles(lmp);
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
   std::vector<rodpack::Contact> contacts;
-  for (const ContactRecord& record : recorder_.collect(std::string("compute ") + style))
+  for (const ContactRecord& record : recorder_.collect())
     if (record.primary) contacts.push_back(particles.contact_of(record, centres));
   rodpack::ContactPairs own = rodpack::sum_pairs(std::move(contacts));
 

@@ -14,9 +14,10 @@ ComputeStyle(stress/goldhirsch,ComputeStressGoldhirsch)
 
 namespace LAMMPS_NS {
 
-/// Coarse-grained fields of the particles as rigid bodies (rodpack::CoarseGraining) at the places
-/// of a grid or at given points. Global array: a row per place, with its coordinates and then the
-/// components of all fields; see doc/compute_stress_goldhirsch.md.
+/// compute stress/goldhirsch: coarse-grained fields of the particles as rigid bodies
+/// (rodpack::CoarseGraining) at the places of a grid or at given points. Its global array has a row
+/// per place, with its coordinates and then the components of all fields; see
+/// doc/compute_stress_goldhirsch.md.
 class ComputeStressGoldhirsch : public Compute {
  public:
   ComputeStressGoldhirsch(class LAMMPS* lmp, int& iarg, int narg, char** arg);

@@ -3,23 +3,19 @@
 
 #include "atom.h"
 #include "particle_identity.h"
+#include "style_arguments.h"
+#include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
 
 DumpContactGran::DumpContactGran(LAMMPS* lmp, int narg, char** arg)
-    : TableDump(lmp, narg, arg), recorder_(lmp) {
-  if (igroup != 0) stop("lists all contacts: the group has to be 'all'");
-  set_columns("ENTRIES",
-              {{"body_i", true}, {"body_j", true},     {"sphere_i", true},   {"sphere_j", true},
-               {"wall", true},   {"x", false},         {"y", false},         {"z", false},
-               {"fx", false},    {"fy", false},        {"fz", false},        {"bix", false},
-               {"biy", false},   {"biz", false},       {"bjx", false},       {"bjy", false},
-               {"bjz", false},   {"overlap_n", false}, {"overlap_t", false}, {"nx", false},
-               {"ny", false},    {"nz", false}});
+    : TableDump(lmp, narg, arg), recorder_(lmp, std::string("dump ") + style) {
+  StyleArguments(lmp, narg, arg, 5, "Dump").require_group_all("lists all contacts");
+  set_columns("ENTRIES", rodpack::contact_dump::columns);
 }
 
 void DumpContactGran::init_style() {
-  recorder_.check_models(std::string("dump ") + style);
+  recorder_.check_models();
   TableDump::init_style();
 }
 
@@ -27,22 +23,25 @@ void DumpContactGran::list_rows() {
   const ParticleIdentity particles(lmp);
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
 
-  for (const ContactRecord& contact : recorder_.collect(std::string("dump ") + style)) {
+  for (const ContactRecord& contact : recorder_.collect()) {
     if (!contact.primary) continue;
     const bool wall = contact.j < 0;
     const rodpack::Contact ends = particles.contact_of(contact, centres);
 
-    ids_.push_back(atom->tag[contact.i]);
-    const double labels[] = {static_cast<double>(ends.i), static_cast<double>(ends.j),
-                             static_cast<double>(atom->tag[contact.i]),
-                             wall ? 0.0 : static_cast<double>(atom->tag[contact.j]),
-                             wall ? 1.0 : 0.0};
-    rows_.insert(rows_.end(), labels, labels + 5);
-    for (const rodpack::Vector& vector : {ends.point, ends.force, ends.centre_i, ends.centre_j})
-      rows_.insert(rows_.end(), vector.begin(), vector.end());
-    rows_.push_back(contact.overlap);
-    rows_.push_back(contact.spring);
-    rows_.insert(rows_.end(), contact.normal, contact.normal + 3);
+    rodpack::contact_dump::Row row;
+    row.body_i = ends.i;
+    row.body_j = ends.j;
+    row.sphere_i = atom->tag[contact.i];
+    row.sphere_j = wall ? 0.0 : atom->tag[contact.j];
+    row.wall = wall ? 1.0 : 0.0;
+    vectorCopy3D(ends.point.data(), row.point);
+    vectorCopy3D(ends.force.data(), row.force);
+    vectorCopy3D(ends.centre_i.data(), row.centre_i);
+    vectorCopy3D(ends.centre_j.data(), row.centre_j);
+    row.overlap = contact.overlap;
+    row.spring = contact.spring;
+    vectorCopy3D(contact.normal, row.normal);
+    add_row(atom->tag[contact.i], row);
   }
 }
 

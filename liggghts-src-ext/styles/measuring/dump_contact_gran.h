@@ -12,7 +12,8 @@ DumpStyle(contact/gran,DumpContactGran)
 
 namespace LAMMPS_NS {
 
-/// One line per contact, sphere on sphere or on wall; see doc/dump_contact_gran.md.
+/// dump contact/gran: writes one line per contact, of two spheres or of a sphere and a wall; see
+/// doc/dump_contact_gran.md.
 class DumpContactGran : public TableDump {
  public:
   DumpContactGran(class LAMMPS* lmp, int narg, char** arg);

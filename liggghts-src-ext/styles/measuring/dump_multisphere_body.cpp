@@ -9,6 +9,7 @@
 #include "math_const.h"
 #include "particle_identity.h"
 #include "sort_buffer.h"
+#include "style_arguments.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
@@ -31,93 +32,62 @@ double planar_angle(const double* axis) {
 
 DumpMultisphereBody::DumpMultisphereBody(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg) {
-  if (igroup != 0) stop("lists whole bodies: the group has to be 'all'");
-  if (!atom->sphere_flag) stop("requires atom style sphere");
-  set_columns("ATOMS",
-              {{"id", true},      {"type", true},         {"nspheres", true}, {"x", false},
-               {"y", false},      {"z", false},           {"angle", false},   {"vx", false},
-               {"vy", false},     {"vz", false},          {"omegax", false},  {"omegay", false},
-               {"omegaz", false}, {"qw", false},          {"qx", false},      {"qy", false},
-               {"qz", false},     {"half_length", false}, {"radius", false},  {"curvature", false},
-               {"area", false},   {"mass", false}});
+  const StyleArguments arguments(lmp, narg, arg, 5, "Dump");
+  arguments.require_group_all("lists whole bodies");
+  if (!atom->sphere_flag) arguments.fail("requires atom style sphere");
+  set_columns("ATOMS", rodpack::body_dump::columns);
   sortBuffer = new SortBuffer(lmp, true);
 }
 
 void DumpMultisphereBody::list_rows() {
   const ParticleIdentity particles(lmp);
+  list_bodies(particles);
+  list_plain_spheres(particles);
+}
 
-  if (particles.bodies() && particles.bodies()->n_body() > 0) {
-    Multisphere& data = particles.bodies()->data();
-    const std::vector<BodyChain> chains = body_chains(lmp, particles);
-    double** const axis = data.extract_double_vector("ex_space");
-    auto& type = *data.prop().getElementProperty<ScalarContainer<int>>("clumptype");
-    for (int k = 0; k < data.n_body(); ++k) {
-      double x[3], v[3], omega[3], q[4];
-      data.xcm(x, k);
-      domain->remap(x);
-      data.vcm(v, k);
-      data.omega(omega, k);
-      data.quat(q, k);
-      const BodyChain& chain = chains[k];
-      ids_.push_back(data.tag(k));
-      const double row[] = {static_cast<double>(data.tag(k)),
-                            static_cast<double>(type(k)),
-                            static_cast<double>(data.nrigid(k)),
-                            x[0],
-                            x[1],
-                            x[2],
-                            planar_angle(axis[k]),
-                            v[0],
-                            v[1],
-                            v[2],
-                            omega[0],
-                            omega[1],
-                            omega[2],
-                            q[0],
-                            q[1],
-                            q[2],
-                            q[3],
-                            chain.half_length,
-                            chain.radius,
-                            chain.curvature,
-                            chain.area,
-                            data.mass(k)};
-      rows_.insert(rows_.end(), row, row + 22);
-    }
+void DumpMultisphereBody::list_bodies(const ParticleIdentity& particles) {
+  if (!particles.bodies() || particles.bodies()->n_body() == 0) return;
+  Multisphere& data = particles.bodies()->data();
+  const std::vector<BodyChain> chains = body_chains(lmp, particles);
+  double** const axis = data.extract_double_vector("ex_space");
+  auto& type = *data.prop().getElementProperty<ScalarContainer<int>>("clumptype");
+  for (int k = 0; k < data.n_body(); ++k) {
+    rodpack::body_dump::Row row;
+    row.id = data.tag(k);
+    row.type = type(k);
+    row.nspheres = data.nrigid(k);
+    data.xcm(row.centre, k);
+    domain->remap(row.centre);
+    row.angle = planar_angle(axis[k]);
+    data.vcm(row.velocity, k);
+    data.omega(row.angular_velocity, k);
+    data.quat(row.quaternion, k);
+    row.half_length = chains[k].half_length;
+    row.radius = chains[k].radius;
+    row.curvature = chains[k].curvature;
+    row.area = chains[k].area;
+    row.mass = data.mass(k);
+    add_row(data.tag(k), row);
   }
+}
 
+void DumpMultisphereBody::list_plain_spheres(const ParticleIdentity& particles) {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (particles.body_of(i) >= 0) continue;
-    double x[3];
-    vectorCopy3D(atom->x[i], x);
-    domain->remap(x);
-    const double* const v = atom->v[i];
-    const double* const omega = atom->omega[i];
-    const double r = atom->radius[i];
-    ids_.push_back(particles.id_of(i));
-    const double row[] = {static_cast<double>(particles.id_of(i)),
-                          static_cast<double>(atom->type[i]),
-                          1.0,
-                          x[0],
-                          x[1],
-                          x[2],
-                          0.0,
-                          v[0],
-                          v[1],
-                          v[2],
-                          omega[0],
-                          omega[1],
-                          omega[2],
-                          1.0,
-                          0.0,
-                          0.0,
-                          0.0,
-                          r,
-                          r,
-                          0.0,
-                          MY_PI * r * r,
-                          atom->rmass[i]};
-    rows_.insert(rows_.end(), row, row + 22);
+    const double radius = atom->radius[i];
+    rodpack::body_dump::Row row = {};
+    row.id = particles.id_of(i);
+    row.type = atom->type[i];
+    row.nspheres = 1.0;
+    vectorCopy3D(atom->x[i], row.centre);
+    domain->remap(row.centre);
+    vectorCopy3D(atom->v[i], row.velocity);
+    vectorCopy3D(atom->omega[i], row.angular_velocity);
+    row.quaternion[0] = 1.0;
+    row.half_length = row.radius = radius;
+    row.area = MY_PI * radius * radius;
+    row.mass = atom->rmass[i];
+    add_row(particles.id_of(i), row);
   }
 }
 

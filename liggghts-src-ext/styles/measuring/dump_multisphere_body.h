@@ -11,13 +11,18 @@ DumpStyle(multisphere/body,DumpMultisphereBody)
 
 namespace LAMMPS_NS {
 
-/// One line per particle, body or plain sphere; see doc/dump_multisphere_body.md.
+/// dump multisphere/body: writes one line per particle, body or plain sphere; see
+/// doc/dump_multisphere_body.md.
 class DumpMultisphereBody : public TableDump {
  public:
   DumpMultisphereBody(class LAMMPS* lmp, int narg, char** arg);
 
  protected:
   void list_rows();
+
+ private:
+  void list_bodies(const class ParticleIdentity& particles);
+  void list_plain_spheres(const class ParticleIdentity& particles);
 };
 
 }  // namespace LAMMPS_NS

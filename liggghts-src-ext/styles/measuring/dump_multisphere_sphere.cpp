@@ -11,23 +11,13 @@
 namespace LAMMPS_NS {
 
 DumpMultisphereSphere::DumpMultisphereSphere(LAMMPS* lmp, int narg, char** arg)
-    : TableDump(lmp, narg, arg), recorder_(lmp) {
-  set_columns("ATOMS", {{"id", true},
-                        {"body", true},
-                        {"type", true},
-                        {"x", false},
-                        {"y", false},
-                        {"z", false},
-                        {"radius", false},
-                        {"fx", false},
-                        {"fy", false},
-                        {"fz", false},
-                        {"fsum", false}});
+    : TableDump(lmp, narg, arg), recorder_(lmp, std::string("dump ") + style) {
+  set_columns("ATOMS", rodpack::sphere_dump::columns);
   sortBuffer = new SortBuffer(lmp, true);
 }
 
 void DumpMultisphereSphere::init_style() {
-  recorder_.check_models(std::string("dump ") + style);
+  recorder_.check_models();
   TableDump::init_style();
 }
 
@@ -36,7 +26,7 @@ void DumpMultisphereSphere::list_rows() {
 
   // Each rank has every contact of its own spheres in its list, so nothing needs to be sent.
   std::vector<std::array<double, 4>> forces(atom->nlocal, {{0.0, 0.0, 0.0, 0.0}});
-  for (const ContactRecord& contact : recorder_.collect(std::string("dump ") + style)) {
+  for (const ContactRecord& contact : recorder_.collect()) {
     const double magnitude = vectorMag3D(contact.force);
     const auto add = [&](int sphere, double sign) {
       for (int d = 0; d < 3; ++d) forces[sphere][d] += sign * contact.force[d];
@@ -48,22 +38,16 @@ void DumpMultisphereSphere::list_rows() {
 
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    double x[3];
-    vectorCopy3D(atom->x[i], x);
-    domain->remap(x);
-    ids_.push_back(atom->tag[i]);
-    const double row[] = {static_cast<double>(atom->tag[i]),
-                          static_cast<double>(particles.id_of(i)),
-                          static_cast<double>(atom->type[i]),
-                          x[0],
-                          x[1],
-                          x[2],
-                          atom->radius[i],
-                          forces[i][0],
-                          forces[i][1],
-                          forces[i][2],
-                          forces[i][3]};
-    rows_.insert(rows_.end(), row, row + 11);
+    rodpack::sphere_dump::Row row;
+    row.id = atom->tag[i];
+    row.body = particles.id_of(i);
+    row.type = atom->type[i];
+    vectorCopy3D(atom->x[i], row.centre);
+    domain->remap(row.centre);
+    row.radius = atom->radius[i];
+    vectorCopy3D(forces[i].data(), row.force);
+    row.force_sum = forces[i][3];
+    add_row(atom->tag[i], row);
   }
 }
 

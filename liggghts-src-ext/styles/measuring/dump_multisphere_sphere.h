@@ -12,7 +12,8 @@ DumpStyle(multisphere/sphere,DumpMultisphereSphere)
 
 namespace LAMMPS_NS {
 
-/// One line per primary sphere, with the contact forces on it; see doc/dump_multisphere_sphere.md.
+/// dump multisphere/sphere: writes one line per primary sphere, with the contact forces on it; see
+/// doc/dump_multisphere_sphere.md.
 class DumpMultisphereSphere : public TableDump {
  public:
   DumpMultisphereSphere(class LAMMPS* lmp, int narg, char** arg);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dump_stress_goldhirsch.h"
 
-#include <cstdlib>
 #include <fstream>
 #include "compute_stress_goldhirsch.h"
-#include "error.h"
 #include "modify.h"
+#include "stop_run.h"
 #include "table_dump.h"
 #include "update.h"
 #ifdef LAMMPS_VTK
@@ -24,28 +23,26 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 DumpStressGoldhirsch::DumpStressGoldhirsch(LAMMPS* lmp, int narg, char** arg)
     : Dump(lmp, narg, arg), compute_(NULL), image_(ends_with(filename, ".vti")) {
-  if (narg != 6) stop("expected a file and the id of one compute stress/goldhirsch");
+  if (narg != 6)
+    stop_run(lmp, *this, "expected a file and the id of one compute stress/goldhirsch");
   compute_id_ = arg[5];
   if (compute_id_.compare(0, 2, "c_") == 0) compute_id_.erase(0, 2);
   if (multiproc || (!image_ && !ends_with(filename, ".csv")))
-    stop(std::string("file is ") + filename +
-         ", expected a name that ends in .vti or .csv, without %");
+    stop_run(lmp, *this,
+             std::string("file is ") + filename +
+                 ", expected a name that ends in .vti or .csv, without %");
 #ifndef LAMMPS_VTK
-  if (image_) stop("LIGGGHTS was built without VTK: write .csv");
+  if (image_) stop_run(lmp, *this, "LIGGGHTS was built without VTK: write .csv");
 #endif
-}
-
-void DumpStressGoldhirsch::stop(const std::string& text) const {
-  error->all(FLERR, (std::string("Dump ") + style + " (id " + id + "): " + text).c_str());
-  std::abort();  // not reached: Error::all ends the run, but does not say so to the compiler
 }
 
 void DumpStressGoldhirsch::init_style() {
   const int index = modify->find_compute(compute_id_.c_str());
   compute_ = index < 0 ? NULL : dynamic_cast<ComputeStressGoldhirsch*>(modify->compute[index]);
-  if (!compute_) stop("there is no compute stress/goldhirsch with the id '" + compute_id_ + "'");
+  if (!compute_)
+    stop_run(lmp, *this, "there is no compute stress/goldhirsch with the id '" + compute_id_ + "'");
   if (image_ && !compute_->places().grid())
-    stop("places at single points have no image: write .csv");
+    stop_run(lmp, *this, "places at single points have no image: write .csv");
 }
 
 void DumpStressGoldhirsch::write() {
@@ -64,7 +61,7 @@ void DumpStressGoldhirsch::write() {
     file.close();
     written = !file.fail();
   }
-  if (!written) error->one(FLERR, ("Cannot write dump file " + name).c_str());
+  if (!written) stop_run_from_one_rank(lmp, *this, "Cannot write dump file " + name);
 }
 
 }  // namespace LAMMPS_NS

@@ -12,8 +12,8 @@ DumpStyle(stress/goldhirsch,DumpStressGoldhirsch)
 
 namespace LAMMPS_NS {
 
-/// Writes the fields of a compute stress/goldhirsch to .vti or .csv files; see
-/// doc/dump_stress_goldhirsch.md.
+/// dump stress/goldhirsch: writes the fields of a compute stress/goldhirsch to .vti or .csv files;
+/// see doc/dump_stress_goldhirsch.md.
 class DumpStressGoldhirsch : public Dump {
  public:
   DumpStressGoldhirsch(class LAMMPS* lmp, int narg, char** arg);
@@ -27,8 +27,6 @@ class DumpStressGoldhirsch : public Dump {
   void write_data(int, double*) {}
 
  private:
-  [[noreturn]] void stop(const std::string& text) const;
-
   std::string compute_id_;
   class ComputeStressGoldhirsch* compute_;
   bool image_;  // .vti, else .csv

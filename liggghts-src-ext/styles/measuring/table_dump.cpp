@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include "domain.h"
-#include "error.h"
+#include "stop_run.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -19,28 +19,18 @@ std::string name_at_step(std::string name, long long step, int width) {
 }
 
 TableDump::TableDump(LAMMPS* lmp, int narg, char** arg) : Dump(lmp, narg, arg) {
-  if (narg > 5) stop(std::string("unknown argument ") + arg[5]);
-  if (binary) stop(std::string("is text only, not ") + filename);
-}
-
-void TableDump::stop(const std::string& text) const {
-  error->all(FLERR, (std::string("Dump ") + style + " (id " + id + "): " + text).c_str());
-}
-
-void TableDump::set_columns(const std::string& label, const std::vector<Column>& columns) {
-  label_ = label;
-  columns_ = columns;
-  size_one = static_cast<int>(columns.size());
+  if (narg > 5) stop_run(lmp, *this, std::string("unknown argument ") + arg[5]);
+  if (binary) stop_run(lmp, *this, std::string("is text only, not ") + filename);
 }
 
 void TableDump::init_style() {
-  if (domain->triclinic) stop("does not support a triclinic box");
+  if (domain->triclinic) stop_run(lmp, *this, "does not support a triclinic box");
   // Of 'dump_modify format', one conversion for all real numbers makes sense here.
   const char* const format_real = format_user ? format_user : "%.16g";
   const char* const letter = format_real + std::strlen(format_real) - 1;
   if (format_real[0] != '%' || !std::strchr("efgEFG", *letter) ||
       std::strcspn(format_real + 1, "% *lL") != std::strlen(format_real) - 1)
-    stop(std::string("format is '") + format_real + "', expected one like %.16g");
+    stop_run(lmp, *this, std::string("format is '") + format_real + "', expected one like %.16g");
   delete[] format;
   format = new char[std::strlen(format_real) + 1];
   std::strcpy(format, format_real);
@@ -48,7 +38,7 @@ void TableDump::init_style() {
   if (!multifile) openfile();
 }
 
-// As Dump::openfile, which has room for 115 characters of a compressed file's name only.
+// Replaces Dump::openfile, which has room for 115 characters of a compressed file's name only.
 void TableDump::openfile() {
   if (singlefile_opened) return;
   if (!multifile) singlefile_opened = 1;
@@ -57,13 +47,14 @@ void TableDump::openfile() {
   fp = NULL;
   if (!filewriter) return;
   if (compressed) {
-    if (name.find('\'') != std::string::npos) stop("file name " + name + " contains a quote");
+    if (name.find('\'') != std::string::npos)
+      stop_run_from_one_rank(lmp, *this, "file name " + name + " contains a quote");
     fp =
         popen((std::string("gzip -6 ") + (append_flag ? ">> '" : "> '") + name + "'").c_str(), "w");
   } else {
     fp = fopen(name.c_str(), append_flag ? "a" : "w");
   }
-  if (!fp) error->one(FLERR, ("Cannot open dump file " + name).c_str());
+  if (!fp) stop_run_from_one_rank(lmp, *this, "Cannot open dump file " + name);
 }
 
 int TableDump::count() {
@@ -85,7 +76,7 @@ void TableDump::write_header(bigint entries) {
   fprintf(fp, "%.16g %.16g\n%.16g %.16g\n%.16g %.16g\n", boxxlo, boxxhi, boxylo, boxyhi, boxzlo,
           boxzhi);
   fprintf(fp, "ITEM: %s", label_.c_str());
-  for (const Column& column : columns_) fprintf(fp, " %s", column.name.c_str());
+  for (const rodpack::DumpColumn& column : columns_) fprintf(fp, " %s", column.name);
   fputc('\n', fp);
 }
 
@@ -93,7 +84,7 @@ void TableDump::write_data(int lines, double* values) {
   for (int line = 0; line < lines; ++line) {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (k) fputc(' ', fp);
-      if (columns_[k].integer)
+      if (columns_[k].is_integer)
         fprintf(fp, "%.0f", *values++);
       else
         fprintf(fp, format, *values++);

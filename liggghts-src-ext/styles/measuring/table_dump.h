@@ -6,30 +6,38 @@
 #include <string>
 #include <vector>
 #include "dump.h"
+#include "rodpack/dumps/columns.h"
 
 namespace LAMMPS_NS {
 
 /// `name` with its * replaced by the step, padded with zeros to `width` digits.
 std::string name_at_step(std::string name, long long step, int width);
 
-/// Base of our dumps: a LIGGGHTS text dump with fixed columns, whose rows the derived style lists
-/// anew for each frame. File names as for any dump (* the step, % the rank, .gz compressed).
+/// Base of our dumps: writes a LIGGGHTS text dump with fixed columns, whose rows the derived style
+/// lists anew for each frame. File names are as for any dump: * stands for the step, % for the
+/// rank, and .gz compresses.
 class TableDump : public Dump {
  public:
   TableDump(class LAMMPS* lmp, int narg, char** arg);
 
  protected:
-  struct Column {
-    std::string name;
-    bool integer;
-  };
-
   /// `label` is ATOMS or ENTRIES.
-  void set_columns(const std::string& label, const std::vector<Column>& columns);
-  /// Stops with a message that names this dump.
-  void stop(const std::string& text) const;
-  /// Appends the rows of this rank to `rows_`, one value per column, and an id per row to `ids_`.
+  template <std::size_t number>
+  void set_columns(const std::string& label, const rodpack::DumpColumn (&columns)[number]) {
+    label_ = label;
+    columns_.assign(columns, columns + number);
+    size_one = static_cast<int>(number);
+  }
+  /// Calls add_row() for each row of this rank.
   virtual void list_rows() = 0;
+  /// `id`: what 'dump_modify sort id' sorts by; `row`: one value per column.
+  template <class Row>
+  void add_row(int id, const Row& row) {
+    static_assert(sizeof(Row) % sizeof(double) == 0, "a row consists of doubles");
+    const double* const values = reinterpret_cast<const double*>(&row);
+    ids_.push_back(id);
+    rows_.insert(rows_.end(), values, values + sizeof(Row) / sizeof(double));
+  }
 
   void init_style();
   void openfile();
@@ -38,12 +46,11 @@ class TableDump : public Dump {
   void write_header(bigint entries);
   void write_data(int lines, double* values);
 
-  std::vector<double> rows_;
-  std::vector<int> ids_;  // what 'dump_modify sort id' sorts by
-
  private:
   std::string label_;
-  std::vector<Column> columns_;
+  std::vector<rodpack::DumpColumn> columns_;
+  std::vector<double> rows_;  // of this rank and frame, one after the other
+  std::vector<int> ids_;
 };
 
 }  // namespace LAMMPS_NS

@@ -20,6 +20,7 @@
 #include "modify.h"
 #include "particle_identity.h"
 #include "rodpack/motion/stability_limit.h"
+#include "stop_run.h"
 #include "style_arguments.h"
 #include "update.h"
 
@@ -41,7 +42,7 @@ std::string text_of(double value) {
 FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg),
       options_(lmp),
-      recorder_(lmp),
+      recorder_(lmp, std::string("fix ") + style),
       warn_(0.8),
       error_(true),
       warned_(0.0),
@@ -50,19 +51,18 @@ FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, 
       steps_per_collision_(0.0),
       contacts_(0) {
   StyleArguments arguments(lmp, narg, arg);
-  if (igroup != 0) arguments.fail("looks at all contacts: the group has to be 'all'");
+  arguments.require_group_all("looks at all contacts");
   nevery = arguments.integer("N", "a number of steps > 0", [](long n) { return n > 0; });
   while (arguments.more()) {
     const std::string keyword = arguments.word("", "");
     if (keyword == "warn")
-      warn_ =
-          arguments.number(keyword, "a fraction of the limit > 0", [](double f) { return f > 0; });
+      warn_ = arguments.number(keyword, "a fraction of the limit > 0", StyleArguments::positive);
     else if (keyword == "error")
       error_ = arguments.yes_or_no(keyword);
     else if (keyword == "planar")
       options_.read(keyword, arguments);
     else
-      arguments.fail("unknown keyword '" + keyword + "', expected warn, error or planar");
+      arguments.reject_keyword(keyword, "warn, error or planar");
   }
   scalar_flag = vector_flag = 1;
   size_vector = 3;
@@ -73,7 +73,7 @@ FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, 
 int FixCheckTimestepMultisphere::setmask() { return FixConst::END_OF_STEP; }
 
 void FixCheckTimestepMultisphere::init() {
-  recorder_.check_models(std::string("fix ") + style);
+  recorder_.check_models();
   order_ = running_order();
 }
 
@@ -147,7 +147,7 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
     const ParticleIdentity& particles) {
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
   std::vector<NetworkContact> result;
-  for (const ContactRecord& record : recorder_.collect(std::string("fix ") + style)) {
+  for (const ContactRecord& record : recorder_.collect()) {
     if (!record.primary) continue;
     const bool sticks =
         record.kt > 0.0 && property("coefficientFriction", record.type_i, record.type_j) > 0.0;
@@ -248,7 +248,7 @@ FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_contact
       result[2] = limit.stiffest < 0 ? 0 : found[limit.stiffest].id;
       result[3] = limit.contacts;
     } catch (const std::invalid_argument& e) {
-      error->one(FLERR, ("fix " + std::string(style) + ": " + e.what()).c_str());
+      stop_run_from_one_rank(lmp, *this, e.what());
     }
   }
   MPI_Bcast(result, 4, MPI_DOUBLE, 0, world);
@@ -279,15 +279,14 @@ void FixCheckTimestepMultisphere::report(const Limit& limit) {
                                    ? "a single contact of the lightest particle"
                                    : "body " + std::to_string(limit.particle) + " with its " +
                                          std::to_string(limit.contacts) + " contacts";
-  std::string text =
-      "Fix " + std::string(style) + " (id " + id + "): time step " + text_of(update->dt) + " s is ";
+  std::string text = name_of(*this) + ": time step " + text_of(update->dt) + " s is ";
   text += limit.timestep > 0.0
               ? text_of(fraction_) + " of the stability limit " + text_of(limit.timestep) +
                     " s of " + method
               : "unstable, as any is for " + method + " with undamped contacts (limit 0 s)";
   text += ", set by " + particle + " (angular frequency " + text_of(std::sqrt(limit.stiffness)) +
           " 1/s)";
-  if (beyond && error_) error->all(FLERR, (text + "; expected at most 1").c_str());
+  if (beyond && error_) stop_run(lmp, text + "; expected at most 1");
   warned_ = fraction_;
   if (comm->me == 0) error->warning(FLERR, text.c_str());
 }

@@ -16,9 +16,10 @@ FixStyle(check/timestep/multisphere,FixCheckTimestepMultisphere)
 
 namespace LAMMPS_NS {
 
-/// Compares the time step with the stability limit of the integrator that runs, for the contacts
-/// that are there. Scalar, and first component of the vector: the time step over the limit; then
-/// steps per collision, contacts of the stiffest particle.
+/// fix check/timestep/multisphere: compares the time step with the stability limit of the
+/// integrator that runs, for the contacts that are there. Its scalar, and the first component of
+/// its vector, is the time step over the limit; the others are the steps that a collision takes and
+/// the number of contacts of the stiffest particle.
 class FixCheckTimestepMultisphere : public Fix {
  public:
   FixCheckTimestepMultisphere(class LAMMPS*, int, char**);

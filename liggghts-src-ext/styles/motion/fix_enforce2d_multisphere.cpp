@@ -2,15 +2,16 @@
 #include "fix_enforce2d_multisphere.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <string>
 
 #include "atom.h"
 #include "domain.h"
-#include "error.h"
-#include "fix_multisphere.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "planar_orientation.h"
+#include "stop_run.h"
 #include "style_arguments.h"
 
 namespace LAMMPS_NS {
@@ -34,8 +35,8 @@ FixEnforce2DMultisphere::FixEnforce2DMultisphere(LAMMPS* lmp, int narg, char** a
   StyleArguments arguments(lmp, narg, arg);
   while (arguments.more()) {
     const std::string keyword = arguments.word("", "");
-    if (keyword != "plane") arguments.fail("unknown keyword '" + keyword + "', expected plane");
-    plane_ = arguments.number(keyword, "a position along z in m", [](double) { return true; });
+    if (keyword != "plane") arguments.reject_keyword(keyword, "plane");
+    plane_ = arguments.number(keyword, "a position along z in m");
   }
   if (domain->dimension != 3)
     arguments.reject("dimension", "3 (particles are spheres and bodies of spheres)",
@@ -54,13 +55,13 @@ void FixEnforce2DMultisphere::init() {
     if (other.time_integrate || !std::strncmp(other.style, "multisphere", 11)) {
       const std::string message =
           std::string("must be defined after fix ") + other.style + " (id " + other.id + ")";
-      error->fix_error(FLERR, this, message.c_str());
+      stop_run(lmp, *this, message);
     }
   }
   if (plane_ < domain->boxlo[2] || plane_ > domain->boxhi[2]) {
     const std::string message =
         "plane must lie in the simulation box, got '" + std::to_string(plane_) + "'";
-    error->fix_error(FLERR, this, message.c_str());
+    stop_run(lmp, *this, message);
   }
   double largest, smallest;
   modify->max_min_rad(largest, smallest);
@@ -68,14 +69,13 @@ void FixEnforce2DMultisphere::init() {
     const std::string message = "periodic z needs a box thicker than the thickest particle, " +
                                 std::to_string(2. * largest) + " m, got '" +
                                 std::to_string(domain->zprd) + "'";
-    error->fix_error(FLERR, this, message.c_str());
+    stop_run(lmp, *this, message);
   }
 
-  auto* multisphere = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  FixMultisphere* const multisphere = multisphere_fix(modify);
   bodies_ = multisphere ? &multisphere->data() : NULL;
   if (!bodies_) return;
-  if (igroup != 0)
-    error->fix_error(FLERR, this, "group must be all where there is a fix multisphere");
+  if (igroup != 0) stop_run(lmp, *this, "group must be all where there is a fix multisphere");
   const char* name = "planar_reference";
   reference_ = bodies_->prop().getElementProperty<VectorContainer<double, 4>>(name);
   if (reference_) return;
@@ -119,10 +119,10 @@ void FixEnforce2DMultisphere::check_flat() const {
     if (!(atom->mask[i] & groupbit) || std::abs(off) <= tolerance * atom->radius[i]) continue;
     char text[256];
     std::snprintf(text, sizeof text,
-                  "Fix %s (id %s): sphere %d lies %g m off the plane z = %g, more than %g of its "
-                  "radius %g m: particles must be put into the plane",
-                  style, id, atom->tag[i], off, plane_, tolerance, atom->radius[i]);
-    error->one(FLERR, text);
+                  "sphere %d lies %g m off the plane z = %g, more than %g of its radius %g m: "
+                  "particles must be put into the plane",
+                  atom->tag[i], off, plane_, tolerance, atom->radius[i]);
+    stop_run_from_one_rank(lmp, *this, text);
   }
 }
 

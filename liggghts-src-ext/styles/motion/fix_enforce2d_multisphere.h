@@ -17,7 +17,8 @@ namespace LAMMPS_NS {
 
 class Multisphere;
 
-/// Keeps rigid bodies and plain spheres exactly in a plane z = const, whatever integrates them:
+/// fix enforce2d/multisphere: keeps rigid bodies and plain spheres exactly in a plane z = const,
+/// whatever integrates them:
 /// after each half of the integrator it sets to zero (bitwise) whatever has left the plane, and
 /// forces out of the plane before they are added up over the bodies.
 class FixEnforce2DMultisphere : public Fix {

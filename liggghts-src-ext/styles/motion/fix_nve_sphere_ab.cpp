@@ -11,11 +11,12 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix_multisphere.h"
 #include "fix_property_atom.h"
 #include "modify.h"
 #include "mpi_liggghts.h"
+#include "multisphere_fix.h"
 #include "rodpack/motion/multistep.h"
+#include "stop_run.h"
 #include "style_arguments.h"
 #include "update.h"
 
@@ -33,8 +34,7 @@ FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
   StyleArguments arguments(lmp, narg, arg);
   while (arguments.more()) {
     const std::string keyword = arguments.word("", "");
-    if (!options_.read(keyword, arguments))
-      arguments.fail("unknown keyword '" + keyword + "', expected order or planar");
+    if (!options_.read(keyword, arguments)) arguments.reject_keyword(keyword, "order or planar");
   }
   order_ = options_.order();
   planar_ = options_.planar();
@@ -60,21 +60,20 @@ void FixNVESphereAB::pre_delete(bool unfixflag) {
 int FixNVESphereAB::setmask() { return INITIAL_INTEGRATE; }
 
 void FixNVESphereAB::init() {
-  if (strstr(update->integrate_style, "respa"))
-    error->fix_error(FLERR, this, "does not work with respa");
+  if (strstr(update->integrate_style, "respa")) stop_run(lmp, *this, "does not work with respa");
   if (modify->n_fixes_style("insert/stream") > 0)
-    error->fix_error(FLERR, this,
-                     "fix insert/stream, which moves spheres by itself at first, is not supported");
+    stop_run(lmp, *this,
+             "fix insert/stream, which moves spheres by itself at first, is not supported");
   planar_ = options_.planar();
   // as fix nve/sphere: in a two-dimensional simulation the particles are discs
   inertia_factor_ = domain->dimension == 2 ? 0.5 : 0.4;
-  bodies_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  bodies_ = multisphere_fix(modify);
 
   int points = 0;
   for (int i = 0; i < atom->nlocal; ++i)
     if ((atom->mask[i] & groupbit) && !(atom->radius[i] > 0.0)) ++points;
   MPI_Sum_Scalar(points, world);
-  if (points > 0) error->fix_error(FLERR, this, "needs spheres with a radius above 0");
+  if (points > 0) stop_run(lmp, *this, "needs spheres with a radius above 0");
   restart_history_after_change();
 }
 

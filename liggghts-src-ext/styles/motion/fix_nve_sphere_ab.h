@@ -17,9 +17,9 @@ FixStyle(nve/sphere/ab,FixNVESphereAB)
 
 namespace LAMMPS_NS {
 
-/// Single spheres advanced by Adams-Bashforth steps of order 1 to 4: the counterpart of
-/// multisphere/ab. The rates of the past live in fix property/atom, so that they follow the sphere
-/// through sorting, exchange between ranks and restarts.
+/// fix nve/sphere/ab: advances single spheres by Adams-Bashforth steps of order 1 to 4, as
+/// multisphere/ab does with bodies. The rates of the past live in fix property/atom, so that they
+/// follow the sphere through sorting, exchange between ranks and restarts.
 class FixNVESphereAB : public Fix {
  public:
   FixNVESphereAB(class LAMMPS*, int, char**);

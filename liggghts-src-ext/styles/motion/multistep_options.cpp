@@ -16,10 +16,8 @@ bool MultistepOptions::read(const std::string& keyword, StyleArguments& argument
       return order >= 1 && order <= rodpack::max_multistep_order;
     });
   } else if (keyword == "planar") {
-    const std::string expected = "auto, yes or no";
-    planar_ = arguments.word(keyword, expected);
-    if (planar_ != "auto" && planar_ != "yes" && planar_ != "no")
-      arguments.reject(keyword, expected, planar_);
+    planar_ = arguments.peek();
+    arguments.choice(keyword, {"auto", "yes", "no"});
   } else {
     return false;
   }

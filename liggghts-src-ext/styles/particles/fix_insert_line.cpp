@@ -12,16 +12,16 @@
 #include "comm.h"
 #include "container.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_gravity.h"
-#include "fix_multisphere.h"
 #include "fix_template_multisphere.h"
 #include "fix_template_spherocylinder.h"
 #include "irregular.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "particleToInsert.h"
+#include "prime_seed.h"
 #include "random_park.h"
-#include "style_arguments.h"
+#include "stop_run.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -59,19 +59,19 @@ int FixInsertLine::setmask() { return PRE_EXCHANGE; }
 
 void FixInsertLine::init() {
   const int bodies = modify->n_fixes_style("multisphere");
-  multisphere_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  multisphere_ = multisphere_fix(modify);
   for (const Source& source : sources_)
     if (is_multisphere(source.particles) && bodies != 1) {
       const std::string message = std::string("template ") + source.particles->id +
                                   " needs exactly one fix multisphere, got '" +
                                   std::to_string(bodies) + "'";
-      error->fix_error(FLERR, this, message.c_str());
+      stop_run(lmp, *this, message);
     }
   if (options_.fall > 0 && options_.gravity == 0 && !modify->find_fix_style("gravity", 0))
-    error->fix_error(FLERR, this, "fall needs a fix gravity or keyword gravity");
+    stop_run(lmp, *this, "fall needs a fix gravity or keyword gravity");
 }
 
-// Not in init(), where a fix gravity defined later does not know its direction yet.
+// This is not done in init(), where a fix gravity defined later does not know its direction yet.
 void FixInsertLine::setup(int) {
   const bigint now = update->ntimestep;
   if (anchor_step_ < 0) {
@@ -83,7 +83,7 @@ void FixInsertLine::setup(int) {
     time_step_ = update->dt;
   }
   if (line_interval() < time_step_)
-    error->fix_error(FLERR, this, "the time between two lines must be at least one time step");
+    stop_run(lmp, *this, "the time between two lines must be at least one time step");
   next_reneighbor = inserted_ < options_.total ? std::max(now + 1, line_step(lines_)) : -1;
 }
 
@@ -95,8 +95,7 @@ double FixInsertLine::line_interval() const {
     static_cast<FixGravity*>(modify->find_fix_style("gravity", 0))->get_gravity(gravity);
     downward = -gravity[1];
   }
-  if (!(downward > 0))
-    error->fix_error(FLERR, const_cast<FixInsertLine*>(this), "fall needs gravity along -y");
+  if (!(downward > 0)) stop_run(lmp, *this, "fall needs gravity along -y");
   return std::sqrt(2. * options_.fall / downward);
 }
 
@@ -107,51 +106,52 @@ bigint FixInsertLine::line_step(int line) const {
 void FixInsertLine::pre_exchange() {
   const bigint now = update->ntimestep;
   if (next_reneighbor != now || last_line_step_ == now) return;
-  std::vector<Place> line = draw_line();
+  std::vector<Draw> line = draw_line();
   const std::vector<Sphere> spheres = spheres_of(line);
   check_overlaps(line, spheres);
   create(line, spheres);
 
-  for (const Place& place : line) ++place.source->inserted;
+  for (const Draw& draw : line) ++draw.source->inserted;
   inserted_ += static_cast<int>(line.size());
   ++lines_;
   last_line_step_ = now;
   next_reneighbor = inserted_ < options_.total ? line_step(lines_) : -1;
 }
 
-std::vector<FixInsertLine::Place> FixInsertLine::draw_line() {
+std::vector<FixInsertLine::Draw> FixInsertLine::draw_line() {
   const int n = std::min(options_.per_line, options_.total - inserted_);
   const double cell = (options_.x_high - options_.x_low) / n;
   std::vector<int> left;
   for (const Source& source : sources_) left.push_back(std::max(0, source.total - source.inserted));
 
-  std::vector<Place> line;
+  std::vector<Draw> line;
   for (int i = 0; i < n; ++i) {
-    // drawn without putting back, so that the fractions are met exactly at the end
+    // Drawn without putting back, so that the fractions are met exactly at the end.
     int sum = 0;
     for (int number : left) sum += number;
     double choice = random_->uniform() * sum;
     std::size_t s = 0;
     while (s + 1 < left.size() && choice >= left[s]) choice -= left[s++];
     --left[s];
-    Place place;
-    place.source = &sources_[s];
-    place.size = random_->uniform();
-    place.angle =
+    Draw draw;
+    draw.source = &sources_[s];
+    draw.size = random_->uniform();
+    draw.angle =
         options_.angle_low + (options_.angle_high - options_.angle_low) * random_->uniform();
-    place.velocity = options_.velocity_low +
-                     (options_.velocity_high - options_.velocity_low) * random_->uniform();
-    place.x = options_.x_low + (i + 0.5) * cell;
-    const double centre[3] = {place.x, options_.y, options_.z};
-    place.mine = mine(centre);
-    place.first_sphere = 0;
-    line.push_back(place);
+    draw.velocity = options_.velocity_low +
+                    (options_.velocity_high - options_.velocity_low) * random_->uniform();
+    draw.x = options_.x_low + (i + 0.5) * cell;
+    const double centre[3] = {draw.x, options_.y, options_.z};
+    draw.mine = mine(centre);
+    draw.first_sphere = 0;
+    line.push_back(draw);
   }
   return line;
 }
 
-/// Half-open sub-domains, those at the edge of the box open outwards: exactly one rank owns a
-/// point, also one outside a shrink-wrapped box.
+/// Whether this rank owns the point x. Sub-domains are half-open, and those at the edge of the box
+/// reach outwards without end, so that exactly one rank owns a point, also one outside a
+/// shrink-wrapped box.
 bool FixInsertLine::mine(const double* x) const {
   for (int d = 0; d < 3; ++d) {
     if (x[d] < domain->sublo[d] && comm->myloc[d] > 0) return false;
@@ -160,21 +160,21 @@ bool FixInsertLine::mine(const double* x) const {
   return true;
 }
 
-/// Makes the template's `pti` this particle.
-void FixInsertLine::prepare(const Place& place) const {
-  FixTemplateSphere& particles = *place.source->particles;
+/// Makes the template's `pti`, its particle on the way into the simulation, the one drawn.
+void FixInsertLine::prepare(const Draw& draw) const {
+  FixTemplateSphere& particles = *draw.source->particles;
   if (auto* rods = dynamic_cast<FixTemplateSpherocylinder*>(&particles))
-    rods->prepare_single(place.size);
+    rods->prepare_single(draw.size);
   else
     particles.randomize_single();  // the public version's templates are of one size
-  double x[3] = {place.x, options_.y, options_.z}, v[3] = {place.velocity, 0., 0.},
+  double x[3] = {draw.x, options_.y, options_.z}, v[3] = {draw.velocity, 0., 0.},
          omega[3] = {0., 0., 0.};
-  double quat[4] = {std::cos(0.5 * place.angle), 0., 0., std::sin(0.5 * place.angle)};
+  double quat[4] = {std::cos(0.5 * draw.angle), 0., 0., std::sin(0.5 * draw.angle)};
   particles.pti->set_x_v_omega(x, v, omega, quat);
   particles.pti->groupbit |= groupbit;
 }
 
-std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Place>& line) const {
+std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Draw>& line) const {
   std::vector<Sphere> spheres;
   for (std::size_t i = 0; i < line.size(); ++i) {
     prepare(line[i]);
@@ -188,7 +188,7 @@ std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Place>&
   return spheres;
 }
 
-/// Spheres of a line in the order of x, to find those at a place without a look at all.
+/// Spheres of a line in the order of x, to find those near a place without going through all.
 class FixInsertLine::SpheresAlongX {
  public:
   /// `period` of x; 0: none
@@ -201,14 +201,14 @@ class FixInsertLine::SpheresAlongX {
               [](const Sphere* a, const Sphere* b) { return a->x[0] < b->x[0]; });
   }
 
-  /// Calls look(sphere) for all that a sphere at x may touch, and some others.
-  template <class Look>
-  void visit(double x, double radius, Look look) const {
+  /// Calls visitor(sphere) for all that a sphere of this radius at x may touch, and some others.
+  template <class Visitor>
+  void visit(double x, double radius, Visitor visitor) const {
     for (int image = period_ > 0.0 ? -1 : 0; image <= (period_ > 0.0 ? 1 : 0); ++image) {
       const double here = x + image * period_, reach = radius + widest_;
       auto next = std::lower_bound(sorted_.begin(), sorted_.end(), here - reach,
                                    [](const Sphere* a, double low) { return a->x[0] < low; });
-      for (; next != sorted_.end() && (*next)->x[0] <= here + reach; ++next) look(**next);
+      for (; next != sorted_.end() && (*next)->x[0] <= here + reach; ++next) visitor(**next);
     }
   }
 
@@ -217,21 +217,22 @@ class FixInsertLine::SpheresAlongX {
   double widest_, period_;
 };
 
-void FixInsertLine::check_overlaps(const std::vector<Place>& line,
+void FixInsertLine::check_overlaps(const std::vector<Draw>& line,
                                    const std::vector<Sphere>& spheres) const {
   struct {
     double depth;
     int rank;
   } worst = {0., comm->me}, all;
-  int found[2] = {-1, 0};  // place, tag of the sphere in its way (0: another place of the line)
-  const auto look = [&](const Sphere& sphere, const double* x, double radius, int tag) {
+  // the particle of the line; tag of the sphere in its way, 0 for one of another particle of it
+  int found[2] = {-1, 0};
+  const auto keep_deepest = [&](const Sphere& sphere, const double* x, double radius, int tag) {
     double dx = x[0] - sphere.x[0], dy = x[1] - sphere.x[1], dz = x[2] - sphere.x[2];
     domain->minimum_image(dx, dy, dz);
     const double reach = sphere.radius + radius;
     const double depth = reach - std::sqrt(dx * dx + dy * dy + dz * dz);
     if (depth <= 1e-9 * reach || depth <= worst.depth) return;  // touching is no overlap
     worst.depth = depth;
-    found[0] = sphere.place;
+    found[0] = sphere.particle;
     found[1] = tag;
   };
   const SpheresAlongX near(spheres, domain->xperiodic ? domain->xprd : 0.0);
@@ -243,13 +244,14 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
   for (int i = 0; i < atom->nlocal; ++i) {
     const double y = atom->x[i][1], radius = atom->radius[i];
     if (!domain->yperiodic && (y - radius > highest || y + radius < lowest)) continue;
-    near.visit(atom->x[i][0], radius,
-               [&](const Sphere& sphere) { look(sphere, atom->x[i], radius, atom->tag[i]); });
+    near.visit(atom->x[i][0], radius, [&](const Sphere& sphere) {
+      keep_deepest(sphere, atom->x[i], radius, atom->tag[i]);
+    });
   }
   for (const Sphere& sphere : spheres)
     near.visit(sphere.x[0], sphere.radius, [&](const Sphere& other) {
-      if (&other > &sphere && other.place != sphere.place)
-        look(sphere, other.x, other.radius, 0);
+      if (&other > &sphere && other.particle != sphere.particle)
+        keep_deepest(sphere, other.x, other.radius, 0);
     });
 
   MPI_Allreduce(&worst, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
@@ -262,10 +264,10 @@ void FixInsertLine::check_overlaps(const std::vector<Place>& line,
                 "more time or height pass between lines, or put fewer particles on them",
                 lines_ + 1, static_cast<long>(update->ntimestep), line[found[0]].x, options_.y,
                 other.c_str(), all.depth);
-  error->fix_error(FLERR, const_cast<FixInsertLine*>(this), text);
+  stop_run(lmp, *this, text);
 }
 
-void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sphere>& spheres) {
+void FixInsertLine::create(const std::vector<Draw>& line, const std::vector<Sphere>& spheres) {
   for (int i = 0; i < modify->nfix; ++i)
     if (modify->fix[i]->create_attribute) modify->fix[i]->pre_set_arrays();
 
@@ -273,26 +275,26 @@ void FixInsertLine::create(const std::vector<Place>& line, const std::vector<Sph
   const int last_sphere = atom->tag_max();
   int body = multisphere_ ? multisphere_->tag_max_body() : 0;
   FixTemplateSphere* bodies_from = NULL;
-  for (const Place& place : line) {
-    prepare(place);
-    ParticleToInsert& particle = *place.source->particles->pti;
+  for (const Draw& draw : line) {
+    prepare(draw);
+    ParticleToInsert& particle = *draw.source->particles->pti;
     mass_inserted_ += particle.mass_ins;
-    const bool is_body = is_multisphere(place.source->particles);
+    const bool is_body = is_multisphere(draw.source->particles);
     if (is_body) {
-      bodies_from = place.source->particles;
+      bodies_from = draw.source->particles;
       ++body;
     }
-    if (!place.mine) continue;
+    if (!draw.mine) continue;
     const int first = atom->nlocal;
     particle.insert();
     for (int i = first; i < atom->nlocal; ++i)
-      atom->tag[i] = last_sphere + place.first_sphere + 1 + (i - first);
+      atom->tag[i] = last_sphere + draw.first_sphere + 1 + (i - first);
     if (!is_body) continue;
     Multisphere& data = multisphere_->data();
     data.prop()
         .getElementProperty<ScalarContainer<int>>("id_multisphere")
         ->set(data.n_body() - 1, body);
-    // fix multisphere keeps its spheres' bodies there; its extract() would talk to the other ranks
+    // There fix multisphere keeps the bodies of its spheres; its extract() would need all ranks.
     for (int i = first; i < atom->nlocal; ++i) atom->molecule[i] = body;
   }
   atom->natoms += static_cast<bigint>(spheres.size());
@@ -335,7 +337,7 @@ void FixInsertLine::restart(char* buffer) {
         "restart file, " +
         std::to_string(static_cast<int>(state[0])) + ", got '" + std::to_string(sources_.size()) +
         "'";
-    error->fix_error(FLERR, this, message.c_str());
+    stop_run(lmp, *this, message);
   }
   random_->reset(static_cast<int>(state[1]));
   lines_ = static_cast<int>(state[2]);

@@ -22,9 +22,10 @@ class FixMultisphere;
 class Irregular;
 class RanPark;
 
-/// Inserts horizontal lines of particles: n side by side at one height, each at a random angle in
-/// the x-y plane and with a random horizontal velocity, the next line after a given fall or time.
-/// All ranks draw the same numbers, so that the particles do not depend on the number of ranks.
+/// fix insert/line: inserts horizontal lines of particles, n side by side at one height, each at a
+/// random angle in the x-y plane and with a random horizontal velocity, the next line after a given
+/// fall or time. All ranks draw the same numbers, so that the particles do not depend on the number
+/// of ranks.
 class FixInsertLine : public Fix {
  public:
   FixInsertLine(LAMMPS* lmp, int narg, char** arg);
@@ -39,7 +40,7 @@ class FixInsertLine : public Fix {
   void write_restart(FILE* file);
   void restart(char* buffer);
 
-  // LIGGGHTS sizes its cutoffs and material tables from these before a particle exists
+  // LIGGGHTS sizes its cutoffs and material tables from these before a particle exists.
   int min_type();
   int max_type();
   double min_rad(int type);
@@ -56,7 +57,7 @@ class FixInsertLine : public Fix {
     int inserted;  // so far
   };
   /// The numbers drawn for one particle of a line, in the order of the draws.
-  struct Place {
+  struct Draw {
     Source* source;
     double size;       // draw from [0, 1) for its diameter
     double angle;      // of its body x axis, rad
@@ -67,17 +68,17 @@ class FixInsertLine : public Fix {
   };
   struct Sphere {
     double x[3], radius;
-    int place;
+    int particle;  // of the line, counted from 0
   };
 
   double line_interval() const;
   bigint line_step(int line) const;
-  std::vector<Place> draw_line();
-  void prepare(const Place& place) const;
-  std::vector<Sphere> spheres_of(std::vector<Place>& line) const;
+  std::vector<Draw> draw_line();
+  void prepare(const Draw& draw) const;
+  std::vector<Sphere> spheres_of(std::vector<Draw>& line) const;
   class SpheresAlongX;
-  void check_overlaps(const std::vector<Place>& line, const std::vector<Sphere>& spheres) const;
-  void create(const std::vector<Place>& line, const std::vector<Sphere>& spheres);
+  void check_overlaps(const std::vector<Draw>& line, const std::vector<Sphere>& spheres) const;
+  void create(const std::vector<Draw>& line, const std::vector<Sphere>& spheres);
   bool mine(const double* x) const;
 
   const LineOptions options_;
@@ -86,7 +87,7 @@ class FixInsertLine : public Fix {
   std::unique_ptr<Irregular> irregular_;
   FixMultisphere* multisphere_ = NULL;
 
-  // state; line k starts at anchor_time_ + (step - anchor_step_) dt = k intervals since the first
+  // State. Line k starts at anchor_time_ + (step - anchor_step_) dt = k intervals after the first.
   int lines_ = 0, inserted_ = 0;
   double mass_inserted_ = 0;
   bigint anchor_step_ = -1, last_line_step_ = -1;

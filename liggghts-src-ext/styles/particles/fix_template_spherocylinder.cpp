@@ -6,15 +6,15 @@
 #include <cstdio>
 
 #include "atom.h"
-#include "error.h"
-#include "fix_multisphere.h"
 #include "memory.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "particle_to_insert_spherocylinder.h"
+#include "prime_seed.h"
 #include "random_park.h"
 #include "rod_properties.h"
 #include "rodpack/averaging/volume_shares.h"
-#include "style_arguments.h"
+#include "stop_run.h"
 
 namespace LAMMPS_NS {
 
@@ -46,7 +46,7 @@ class FixTemplateSpherocylinder::StockArguments {
  public:
   StockArguments(char** own, const SpherocylinderOptions& options) {
     const Spherocylinder nominal = options.particle(options.shape.nominal_diameter);
-    // the stock style refuses a single sphere: declare two and shrink to one afterwards
+    // The stock style refuses a single sphere: two are declared, and later shrink to one.
     const bool single = nominal.centres.size() == 1;
     words_ = {own[0],
               own[1],
@@ -135,7 +135,7 @@ void FixTemplateSpherocylinder::post_create() {
 }
 
 void FixTemplateSpherocylinder::init() {
-  // LIGGGHTS keeps one table over the body types of all multisphere templates, stock and ours
+  // LIGGGHTS keeps one table over the body types of all multisphere templates, stock and ours.
   const char* family = "particletemplate/multisphere";
   const int n = modify->n_fixes_style(family);
   std::vector<int> uses(n + 1, 0);
@@ -146,19 +146,19 @@ void FixTemplateSpherocylinder::init() {
       const std::string message = "type must be unique and run from 1 to " + std::to_string(n) +
                                   " over all " + family + " fixes, got '" + std::to_string(type) +
                                   "'";
-      error->fix_error(FLERR, this, message.c_str());
+      stop_run(lmp, *this, message);
     }
   }
-  auto* multisphere = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  FixMultisphere* const multisphere = multisphere_fix(modify);
   if (!multisphere) return;
   if (!(multisphere->groupbit & groupbit))
-    error->fix_error(FLERR, this, "and fix multisphere must be members of the same group");
+    stop_run(lmp, *this, "and fix multisphere must be members of the same group");
   rod_properties(multisphere->data());
 }
 
 // Bodies that come from a restart file have lost their rod properties.
 void FixTemplateSpherocylinder::setup(int) {
-  auto* multisphere = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  FixMultisphere* const multisphere = multisphere_fix(modify);
   if (!multisphere) return;
   Multisphere& bodies = multisphere->data();
   auto& type = *bodies.prop().getElementProperty<ScalarContainer<int>>("clumptype");
@@ -171,14 +171,13 @@ void FixTemplateSpherocylinder::setup(int) {
     const Spherocylinder chain = options_->particle(2. * atom->radius[i]);
     if (bodies.nrigid(body) != nspheres ||
         std::fabs(bodies.r_bound(body) / chain.bounding_radius - 1.) > 1e-9) {
-      const std::string text =
-          std::string("Fix ") + style + " (id " + id + "): body " + std::to_string(tag) +
-          " of type " + std::to_string(type_) + " is a chain of " +
-          std::to_string(bodies.nrigid(body)) + " spheres and bounding radius " +
-          std::to_string(bodies.r_bound(body)) + " m, expected " + std::to_string(nspheres) +
-          " and " + std::to_string(chain.bounding_radius) +
-          " m: declare the template of the run that wrote the restart file";
-      error->one(FLERR, text.c_str());
+      stop_run_from_one_rank(
+          lmp, *this,
+          "body " + std::to_string(tag) + " of type " + std::to_string(type_) + " is a chain of " +
+              std::to_string(bodies.nrigid(body)) + " spheres and bounding radius " +
+              std::to_string(bodies.r_bound(body)) + " m, expected " + std::to_string(nspheres) +
+              " and " + std::to_string(chain.bounding_radius) +
+              " m: declare the template of the run that wrote the restart file");
     }
     rods.radius->set(body, atom->radius[i]);
     rods.half_length->set(

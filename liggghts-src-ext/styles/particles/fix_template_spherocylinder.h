@@ -20,8 +20,9 @@ class ParticleToInsertSpherocylinder;
 struct Spherocylinder;
 struct SpherocylinderOptions;
 
-/// A template of straight or curved spherocylinders for fix insert/*: exact mass properties where
-/// fix particletemplate/multisphere samples them, and a diameter drawn for each particle.
+/// fix particletemplate/multisphere/spherocylinder: a template of straight or curved
+/// spherocylinders for fix insert/*, with exact mass properties where fix
+/// particletemplate/multisphere samples them, and a diameter drawn for each particle.
 class FixTemplateSpherocylinder : public FixTemplateMultisphere {
  public:
   FixTemplateSpherocylinder(LAMMPS* lmp, int narg, char** arg);

@@ -17,8 +17,6 @@ namespace LAMMPS_NS {
 
 namespace {
 
-bool any(double) { return true; }
-bool positive(double value) { return value > 0; }
 bool at_least_one(long value) { return value >= 1; }
 
 const std::set<std::string> keywords = {"template", "per_line", "x",      "y",
@@ -40,15 +38,15 @@ void read_templates(LAMMPS* lmp, StyleArguments& arguments, LineOptions& options
     if (!particles) arguments.reject("template", "the id of a fix particletemplate", name);
     for (const LineOptions::Part& other : options.parts)
       if (other.particles == particles) arguments.fail("template " + name + " is given twice");
-    options.parts.push_back(
-        {particles, arguments.number("template " + name, "a positive fraction", positive)});
+    options.parts.push_back({particles, arguments.number("template " + name, "a positive fraction",
+                                                         StyleArguments::positive)});
   } while (arguments.more() && !keywords.count(arguments.peek()));
 }
 
 void read_range(StyleArguments& arguments, const std::string& keyword, const char* expected,
                 double unit, double& low, double& high) {
-  low = arguments.number(keyword, expected, any);
-  high = arguments.number(keyword, expected, any);
+  low = arguments.number(keyword, expected);
+  high = arguments.number(keyword, expected);
   if (low > high || (keyword == "x" && low == high))
     arguments.reject(keyword, std::string("two of ") + expected + ", the lower one first",
                      std::to_string(low) + " " + std::to_string(high));
@@ -67,15 +65,16 @@ void read_keyword(LAMMPS* lmp, StyleArguments& arguments, const std::string& key
   } else if (keyword == "x") {
     read_range(arguments, keyword, "positions in m", 1., options.x_low, options.x_high);
   } else if (keyword == "y") {
-    options.y = arguments.number(keyword, "a position in m", any);
+    options.y = arguments.number(keyword, "a position in m");
   } else if (keyword == "z") {
-    options.z = arguments.number(keyword, "a position in m", any);
+    options.z = arguments.number(keyword, "a position in m");
   } else if (keyword == "fall") {
-    options.fall = arguments.number(keyword, "a positive height in m", positive);
+    options.fall = arguments.number(keyword, "a positive height in m", StyleArguments::positive);
   } else if (keyword == "interval") {
-    options.interval = arguments.number(keyword, "a positive time in s", positive);
+    options.interval = arguments.number(keyword, "a positive time in s", StyleArguments::positive);
   } else if (keyword == "gravity") {
-    options.gravity = arguments.number(keyword, "a positive acceleration in m/s^2", positive);
+    options.gravity =
+        arguments.number(keyword, "a positive acceleration in m/s^2", StyleArguments::positive);
   } else if (keyword == "velocity") {
     read_range(arguments, keyword, "velocities in m/s", 1., options.velocity_low,
                options.velocity_high);
@@ -83,7 +82,7 @@ void read_keyword(LAMMPS* lmp, StyleArguments& arguments, const std::string& key
     read_range(arguments, keyword, "angles in degrees", M_PI / 180., options.angle_low,
                options.angle_high);
   } else {
-    arguments.fail("unknown keyword '" + keyword + "', expected one of " + list_of_keywords());
+    arguments.reject_keyword(keyword, "one of " + list_of_keywords());
   }
 }
 
@@ -150,15 +149,12 @@ LineOptions read_line_options(LAMMPS* lmp, int narg, char** arg) {
   LineOptions options;
   options.seed =
       arguments.integer("seed", "a positive integer", [](long value) { return value > 0; });
-  std::set<std::string> seen;
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "");
-    if (!seen.insert(keyword).second) arguments.fail("keyword " + keyword + " is given twice");
+    const std::string keyword = arguments.new_keyword();
     read_keyword(lmp, arguments, keyword, options);
   }
-  for (const char* needed : {"template", "per_line", "x", "y", "total"})
-    if (!seen.count(needed)) arguments.fail(std::string("keyword ") + needed + " is missing");
-  if (seen.count("fall") == seen.count("interval"))
+  arguments.require({"template", "per_line", "x", "y", "total"});
+  if (arguments.given("fall") == arguments.given("interval"))
     arguments.fail("needs either fall H or interval T");
   if (lmp->domain->dimension != 3)
     arguments.reject("dimension", "3", std::to_string(lmp->domain->dimension));

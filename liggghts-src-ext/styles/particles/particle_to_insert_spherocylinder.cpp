@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "fix_multisphere.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "rod_properties.h"
 
 namespace LAMMPS_NS {
@@ -40,7 +40,7 @@ void ParticleToInsertSpherocylinder::set_chain(const Spherocylinder& particle) {
 
 int ParticleToInsertSpherocylinder::insert() {
   const int inserted = ParticleToInsertMultisphere::insert();
-  auto* fix = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  FixMultisphere* const fix = multisphere_fix(modify);
   const RodProperties rods = rod_properties(fix->data());
   const int body = fix->data().n_body() - 1;
   rods.half_length->set(body, half_length_);

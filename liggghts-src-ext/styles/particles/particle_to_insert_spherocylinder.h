@@ -14,7 +14,7 @@ class ParticleToInsertSpherocylinder : public ParticleToInsertMultisphere {
  public:
   ParticleToInsertSpherocylinder(LAMMPS* lmp, int nspheres, bool planar);
 
-  /// What the body will remember of the chain.
+  /// Sets what the body will remember of its chain.
   void set_chain(const Spherocylinder& particle);
 
   int insert();

@@ -2,7 +2,6 @@
 #include "spherocylinder_options.h"
 
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "atom.h"
@@ -15,8 +14,6 @@ namespace LAMMPS_NS {
 namespace {
 
 using Options = SpherocylinderOptions;
-
-bool positive(double value) { return value > 0; }
 
 double read_overlap(StyleArguments& arguments) {
   const std::string surface = arguments.word("surface", "coarse, smooth or overlap F");
@@ -36,11 +33,12 @@ void read_mass(StyleArguments& arguments, Options& options) {
     options.mass_rule = Options::Mass::own;
   } else if (rule == "given") {
     options.mass_rule = Options::Mass::given;
-    options.given_mass.mass = arguments.number("mass given M", "a positive mass in kg", positive);
+    options.given_mass.mass =
+        arguments.number("mass given M", "a positive mass in kg", StyleArguments::positive);
     double sum = 0;
     for (double& moment : options.given_mass.inertia) {
       moment = arguments.number("mass given IXX IYY IZZ", "a positive moment of inertia in kg m^2",
-                                positive);
+                                StyleArguments::positive);
       sum += moment;
     }
     for (double moment : options.given_mass.inertia)
@@ -64,7 +62,8 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
     options.shape.aspect_ratio =
         arguments.number(keyword, "a number of at least 1", [](double ar) { return ar >= 1; });
   } else if (keyword == "diameter") {
-    options.shape.nominal_diameter = arguments.number(keyword, "a positive length in m", positive);
+    options.shape.nominal_diameter =
+        arguments.number(keyword, "a positive length in m", StyleArguments::positive);
   } else if (keyword == "surface") {
     options.shape.overlap = read_overlap(arguments);
   } else if (keyword == "curvature") {
@@ -77,7 +76,8 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
                                            [](double s) { return s >= 0 && s < 1; });
   } else if (keyword == "density") {
     if (arguments.peek() == "constant") arguments.word(keyword, "constant");
-    options.density = arguments.number(keyword, "a positive density in kg/m^3", positive);
+    options.density =
+        arguments.number(keyword, "a positive density in kg/m^3", StyleArguments::positive);
   } else if (keyword == "mass") {
     read_mass(arguments, options);
   } else if (keyword == "follow_drawn_size") {
@@ -85,10 +85,10 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
   } else if (keyword == "planar") {
     options.planar = arguments.yes_or_no(keyword);
   } else {
-    arguments.fail(
-        "unknown keyword '" + keyword +
-        "', expected one of atom_type, type, aspect_ratio, diameter, surface, curvature, "
-        "size_spread, density, mass, follow_drawn_size, planar");
+    arguments.reject_keyword(
+        keyword,
+        "one of atom_type, type, aspect_ratio, diameter, surface, curvature, size_spread, density, "
+        "mass, follow_drawn_size, planar");
   }
 }
 
@@ -98,7 +98,7 @@ Spherocylinder SpherocylinderOptions::particle(double diameter) const {
   Spherocylinder one;
   one.shape = shape;
   one.shape.diameter = diameter;
-  // given numbers say nothing about where the centre of mass lies: that of the reference particle
+  // Given numbers say nothing about where the centre of mass lies: it is that of the reference.
   const auto rule = mass_rule == Mass::own ? rodpack::MassRule::own : rodpack::MassRule::reference;
   one.centres = rodpack::sphere_centres(one.shape, rule);
   one.mass = mass_rule == Mass::given
@@ -115,16 +115,13 @@ SpherocylinderOptions read_spherocylinder_options(LAMMPS* lmp, int narg, char** 
   Options options;
   options.seed =
       arguments.integer("seed", "a positive integer", [](long seed) { return seed > 0; });
-  std::set<std::string> seen;
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "");
-    if (!seen.insert(keyword).second) arguments.fail("keyword " + keyword + " is given twice");
+    const std::string keyword = arguments.new_keyword();
     read_keyword(arguments, keyword, options);
   }
-  for (const char* needed : {"type", "aspect_ratio", "diameter", "surface"})
-    if (!seen.count(needed)) arguments.fail(std::string("keyword ") + needed + " is missing");
+  arguments.require({"type", "aspect_ratio", "diameter", "surface"});
   const bool given = options.mass_rule == Options::Mass::given;
-  if (!given && !seen.count("density")) arguments.fail("keyword density is missing");
+  if (!given) arguments.require({"density"});
   if (given && options.follow_drawn_size)
     arguments.fail("follow_drawn_size yes contradicts mass given, which fixes mass and inertia");
   if (options.atom_type > lmp->atom->ntypes)
@@ -143,7 +140,7 @@ SpherocylinderOptions read_spherocylinder_options(LAMMPS* lmp, int narg, char** 
   } catch (const std::invalid_argument& problem) {
     arguments.fail(problem.what());
   }
-  if (given && !seen.count("density"))
+  if (given && !arguments.given("density"))
     options.density = options.given_mass.mass / rodpack::union_volume(options.shape);
   return options;
 }

@@ -8,7 +8,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "contact_model_constants.h"
-#include "error.h"
 #include "fix_contact_history.h"
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
@@ -20,6 +19,7 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
+#include "planar_stop.h"
 #include "primitive_wall.h"
 #include "rodpack/contact/planar_history.h"
 #include "update.h"
@@ -37,7 +37,7 @@ struct WallAccess : FixWallGran {
   }
 };
 
-/// Histories by atom, where they are while lists are made anew.
+/// The histories of contacts by atom, which LIGGGHTS keeps there while it builds new lists.
 struct HistoryAccess : FixContactHistory {
   static void reset(FixContactHistory* fix) {
     (fix->*(&HistoryAccess::ipage_))->reset();
@@ -49,7 +49,7 @@ struct HistoryAccess : FixContactHistory {
   static int& count(FixContactHistory* fix, int i) {
     return (fix->*(&HistoryAccess::npartner_))[i];
   }
-  /// Room for `count` partners of atom i, which has none then; false if there is none.
+  /// Makes room for `count` partners of atom i, which then has none; false if memory is short.
   static bool allocate(FixContactHistory* fix, int i, int count) {
     int*& tags = partners(fix, i);
     double*& values = (fix->*(&HistoryAccess::contacthistory_))[i];
@@ -73,7 +73,7 @@ bool has_known_models(Style* style) {
 const char* const needed_models =
     "'model spring_dashpot tangential spring_dashpot' alone, without other models";
 
-/// A plane x = c or y = c; false for any other primitive.
+/// Finds the plane x = c or y = c that a wall is; false for any other primitive.
 bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   if (const FixWallGranSolid* solid = dynamic_cast<FixWallGranSolid*>(fix)) {
     plane.axis = solid->axis();
@@ -100,36 +100,33 @@ bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
 
 }  // namespace
 
-void PlanarContacts::refuse(const std::string& what) const {
-  error->all(FLERR, ("run_style verlet/planar: " + what).c_str());
-}
-
 void PlanarContacts::connect() {
   pair_ = static_cast<PairGran*>(force->pair_match("gran", 1));
   if (!pair_ || pair_ != force->pair)
-    refuse(std::string("pair_style gran is needed, not in a hybrid, with ") + needed_models);
+    refuse(lmp, std::string("pair_style gran is needed, not in a hybrid, with ") + needed_models);
   if (!has_known_models(pair_))
-    refuse(std::string("pair_style gran has other models, expected ") + needed_models);
+    refuse(lmp, std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();
   slots_ = (values_ - rodpack::stored_history_values(0)) / 3;
   if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
       values_ != rodpack::stored_history_values(slots_))
-    refuse("pair_style gran keeps other values in the history of contacts");
+    refuse(lmp, "pair_style gran keeps other values in the history of contacts");
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
     const std::string name = std::string("fix ") + wall->style + " (id " + wall->id + ") ";
-    if (!has_known_models(wall)) refuse(name + "has other models, expected " + needed_models);
+    if (!has_known_models(wall)) refuse(lmp, name + "has other models, expected " + needed_models);
     rodpack::PlanarWall plane;
     if (wall->is_mesh_wall() || !wall->primitiveWall() || !plane_of(wall, plane))
-      refuse(name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
-    if (wall->is_moving()) refuse(name + "moves ('shear'), expected a wall at rest");
-    if (wall->igroup != 0) refuse(name + "acts on a group, expected all");
+      refuse(lmp, name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
+    if (wall->is_moving()) refuse(lmp, name + "moves ('shear'), expected a wall at rest");
+    if (wall->igroup != 0) refuse(lmp, name + "acts on a group, expected all");
     if (wall->heattransfer_flag() || wall->store_force_contact() ||
         wall->store_force_contact_stress() || wall->store_sum_normal_force())
-      refuse(name + "stores values of contacts or transfers heat, which the engine does not");
+      refuse(lmp, name + "stores values of contacts or transfers heat, which the engine does not");
     if (wall->dnum() != values_)
-      refuse(name + "has another history than pair_style gran: give both the same multistepOrder");
+      refuse(lmp,
+             name + "has another history than pair_style gran: give both the same multistepOrder");
     walls_.push_back(wall);
   }
 }
@@ -141,7 +138,7 @@ std::vector<rodpack::PlanarLaw> PlanarContacts::laws() const {
   std::vector<rodpack::PlanarLaw> laws(types * types);
   for (int k = 0; k < 5; ++k) {
     FixPropertyGlobal* property = static_cast<FixPropertyGlobal*>(modify->find_fix_property(
-        names[k], "property/global", "peratomtypepair", types, types, "run_style verlet/planar"));
+        names[k], "property/global", "peratomtypepair", types, types, planar_run_style));
     for (int pair = 0; pair < types * types; ++pair) {
       rodpack::PlanarLaw& law = laws[pair];
       double* const values[] = {&law.kn, &law.kt, &law.eta_n, &law.eta_t, &law.friction};
@@ -200,7 +197,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
     for (int jj = 0; jj < list->numneigh[i]; ++jj) {
       if (!list->listgranhistory->firstneigh[i][jj]) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      // the rank of j has this contact too, to rounding errors; one of both has to do
+      // The rank of j lists this contact too; one of both has to read it.
       if (j >= atom->nlocal && atom->tag[j] < atom->tag[i]) continue;
       const Record record(histories + values_ * jj, slots_);
       if (!record.lives(now)) continue;
@@ -233,9 +230,8 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
 int PlanarContacts::local_atom(int tag) const {
   const int i = atom->map(tag);
   if (i < 0 || i >= atom->nlocal || atom->tag[i] != tag)
-    error->one(FLERR, ("run_style verlet/planar: a contact of atom " + std::to_string(tag) +
-                       " has come to another rank than the atom")
-                          .c_str());
+    refuse_from_one_rank(lmp, "a contact of atom " + std::to_string(tag) +
+                                  " has come to another rank than the atom");
   return i;
 }
 
@@ -280,8 +276,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
     Record(contact, slots_, now).store(list->listgranhistory->firstdouble[i] + values_ * jj);
   }
-  if (missing != 0)
-    error->one(FLERR, "run_style verlet/planar: a contact is not in the neighbour list");
+  if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
 
 void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
@@ -296,10 +291,9 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
   for (int i = 0; i < atom->nlocal; ++i) {
     most = std::max(most, counts[i]);
     if (!HistoryAccess::allocate(histories, i, counts[i]))
-      error->one(FLERR,
-                 "run_style verlet/planar: contact history overflow, boost neigh_modify one");
+      refuse_from_one_rank(lmp, "contact history overflow, boost neigh_modify one");
   }
-  // what an atom takes along when it changes its rank
+  // Room for what an atom takes along when it changes its rank.
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);
   for (const PlanarContactRecord& contact : records) {
     if (contact.partner < 0) continue;

@@ -2,7 +2,6 @@
 #ifndef LMP_PLANAR_CONTACTS_H
 #define LMP_PLANAR_CONTACTS_H
 
-#include <string>
 #include <vector>
 #include "planar_owners.h"
 #include "pointers.h"
@@ -10,46 +9,47 @@
 
 namespace LAMMPS_NS {
 
-/// A contact as an atom sees it, on its way between the ranks.
+/// One contact as one of its two atoms sees it, in the form that is sent between ranks.
 struct PlanarContactRecord {
-  int atom, partner;  // tags; a wall: -1 - its index
-  double normal[2];   // from the partner to the atom
+  int atom, partner;  // atom ids; for a wall -1 - its index
+  double normal[2];   // unit vector from the partner to the atom
   rodpack::PlanarContactState state;
 };
 
-/// The contacts of pair_style gran and of primitive walls, and their histories, between LIGGGHTS
-/// and the planar engine. No periodic boundaries: an atom is there once on a rank.
+/// Carries the contacts of pair_style gran and of primitive walls, with their histories, from
+/// LIGGGHTS to the planar engine and back. There must be no periodic boundaries, so that an atom
+/// has one image on a rank.
 class PlanarContacts : protected Pointers {
  public:
   explicit PlanarContacts(class LAMMPS* lmp) : Pointers(lmp) {}
 
-  /// Finds the pair style and the walls; stops if one of them is of another kind than the engine
-  /// knows.
+  /// Finds the pair style and the walls; stops the run if one of them is of a kind that the engine
+  /// does not know.
   void connect();
-  /// Tangential velocities in the history of a contact.
+  /// Number of tangential velocities that the history of a contact holds.
   int remembered() const { return slots_; }
-  /// Contact constants per pair of types, and the walls.
+  /// Contact constants of each pair of atom types (row by row), and the walls.
   std::vector<rodpack::PlanarLaw> laws() const;
   std::vector<rodpack::PlanarWall> walls() const;
 
-  /// The contacts of this step that bodies of this rank have, each once. Collective.
+  /// The contacts of this step in which bodies of this rank take part, each once; collective.
   std::vector<PlanarContactRecord> read(const PlanarOwners& owners) const;
-  /// Both put contacts in the place of those that LIGGGHTS has. Each comes to the ranks of both of
-  /// its atoms, as seen from the atom there.
-  /// In the neighbour lists, which must hold the pairs:
+  /// Replaces the contacts that LIGGGHTS has, in its neighbour lists, which must hold the pairs.
+  /// `records`: for each contact those of its atoms that this rank owns, as seen from the atom.
   void write_to_lists(const std::vector<PlanarContactRecord>& records) const;
-  /// Where they travel with the atoms and wait for new lists; after pre_exchange of the fixes:
+  /// The same where histories travel with the atoms until new lists are built; to be called after
+  /// pre_exchange() of the fixes.
   void write_to_atoms(const std::vector<PlanarContactRecord>& records) const;
 
  private:
   struct Record;
-  void refuse(const std::string& what) const;
   int local_atom(int tag) const;
   void write_to_walls(const std::vector<PlanarContactRecord>& records) const;
 
   class PairGran* pair_ = NULL;
   std::vector<class FixWallGran*> walls_;
-  int values_ = 0, slots_ = 0;  // of a contact's history, of the velocities in it
+  int values_ = 0;  // in a contact's history
+  int slots_ = 0;   // tangential velocities among them
 };
 
 }  // namespace LAMMPS_NS

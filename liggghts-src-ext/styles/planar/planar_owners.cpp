@@ -8,6 +8,7 @@
 #include "fix_property_atom.h"
 #include "lammps.h"
 #include "modify.h"
+#include "planar_stop.h"
 
 namespace LAMMPS_NS {
 
@@ -23,8 +24,8 @@ void PlanarOwners::create_property(LAMMPS* lmp, const char* caller) {
 
 void PlanarOwners::connect() {
   if (comm->nprocs > 1)
-    ranks_ = static_cast<FixPropertyAtom*>(modify->find_fix_property(
-        name, "property/atom", "vector", 2, 0, "run_style verlet/planar"));
+    ranks_ = static_cast<FixPropertyAtom*>(
+        modify->find_fix_property(name, "property/atom", "vector", 2, 0, planar_run_style));
 }
 
 void PlanarOwners::renew(FixMultisphere& bodies) {

@@ -6,25 +6,28 @@
 
 namespace LAMMPS_NS {
 
-/// On which rank each atom is, and the body that it belongs to, for the atoms of this rank and its
-/// ghosts: fix multisphere may keep a body elsewhere than a sphere of it.
+/// Knows which rank owns each atom and which rank keeps the body that the atom belongs to, for the
+/// atoms of this rank and its ghosts: fix multisphere may keep a body on another rank than some of
+/// its spheres.
 class PlanarOwners : protected Pointers {
  public:
   explicit PlanarOwners(class LAMMPS* lmp) : Pointers(lmp) {}
 
-  /// Makes the property of the atoms that carries this, unless there is one rank only. Before the
-  /// first run; `caller`: style that asks for it.
+  /// Adds the property of the atoms that carries this, unless there is one rank only. To be called
+  /// before the first run; `caller` is the style that asks for it.
   static void create_property(class LAMMPS* lmp, const char* caller);
+  /// Finds that property.
   void connect();
 
-  /// After atoms or bodies have changed their rank; collective.
+  /// Sets it anew after atoms or bodies have changed their rank; collective.
   void renew(class FixMultisphere& bodies);
+  /// Rank that owns the atom with this local index.
   int of_atom(int i) const;
-  /// -1: no rank has its body.
+  /// Rank that keeps the body of the atom with this local index; -1 if no rank does.
   int of_body(int i) const;
 
  private:
-  class FixPropertyAtom* ranks_ = NULL;  // of the body, plus 1; of the atom
+  class FixPropertyAtom* ranks_ = NULL;  // per atom: rank of its body plus 1, its own rank
 };
 
 }  // namespace LAMMPS_NS

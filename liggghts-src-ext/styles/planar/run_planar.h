@@ -11,7 +11,6 @@ IntegrateStyle(verlet/planar,RunPlanar)
 #define LMP_RUN_PLANAR_H
 
 #include <memory>
-#include <string>
 #include <vector>
 #include "mpi_ranks.h"
 #include "planar_contacts.h"
@@ -21,11 +20,13 @@ IntegrateStyle(verlet/planar,RunPlanar)
 
 namespace LAMMPS_NS {
 
-/// Runs a planar scene of rigid bodies in an engine of its own (rodpack/planar_scene.h) wherever
-/// nobody looks: between two steps of output, insertion or a fix that acts at the end of a step,
-/// the bodies and contacts are taken from LIGGGHTS and given back in the step before. The step that
-/// somebody sees is LIGGGHTS's own, with everything that belongs to it. Each rank runs the bodies
-/// that fix multisphere has there.
+/// run_style verlet/planar: runs a planar scene of rigid bodies in the planar engine
+/// (rodpack/planar/scene.h) in all steps that nobody observes.
+///
+/// A step is observed if there is output, insertion, or a fix that acts at its end. Between two
+/// such steps bodies and contacts are taken from LIGGGHTS, and they are given back in the step
+/// before the next observed one, which is LIGGGHTS's own, with everything that belongs to it. Each
+/// rank runs the bodies that fix multisphere keeps there.
 class RunPlanar : public Verlet {
  public:
   RunPlanar(class LAMMPS* lmp, int narg, char** arg);
@@ -36,26 +37,25 @@ class RunPlanar : public Verlet {
   void run(int steps) override;
 
  private:
-  void refuse(const std::string& what) const;
-  void refuse_one(const std::string& what) const;
+  void read_options(int narg, char** arg);
   void check();
   void check_scene();
   void check_fixes() const;
-  void find_bodies();
-  bigint next_look() const;
+  bigint next_observed_step() const;
   bool anywhere(bool here) const;
   void run_until(bigint last);
   void report(bigint steps) const;
   void run_engine(bigint steps);
-  rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
-  std::vector<rodpack::PlanarBody> take_bodies();
-  std::vector<rodpack::PlanarContactState> take_contacts();
+
+  // to the engine and back (run_planar_transfer.cpp)
   void take_over();
+  void find_bodies();
+  std::vector<rodpack::PlanarBody> take_bodies();
+  rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
+  std::vector<rodpack::PlanarContactState> take_contacts();
+  void give_back();
   std::vector<PlanarContactRecord> contacts_of_atoms() const;
   void exchange_and_list();
-  void give_back();
-
-  void read_options(int narg, char** arg);
 
   double min_skin_, max_skin_;  // m; 0: from the particles
   rodpack::PlanarInstructions instructions_ = rodpack::PlanarInstructions::automatic;
@@ -67,7 +67,7 @@ class RunPlanar : public Verlet {
   std::vector<std::vector<int> > atoms_;  // of each of them by their tags, ghosts among them
   std::unique_ptr<MpiRanks> ranks_;
   std::unique_ptr<rodpack::PlanarScene> scene_;
-  rodpack::PlanarScene::Statistics done_;  // in this run, by this rank
+  rodpack::PlanarScene::Statistics done_;  // what the engine did in this run on this rank
 };
 
 }  // namespace LAMMPS_NS

@@ -7,7 +7,7 @@
 
 namespace LAMMPS_NS {
 
-/// The ranks' lists one after the other, on every rank; collective.
+/// Returns the lists of all ranks, one after the other, on every rank; collective.
 inline std::vector<int> gather_on_all(MPI_Comm world, const std::vector<int>& own) {
   int ranks = 1;
   MPI_Comm_size(world, &ranks);
@@ -21,7 +21,8 @@ inline std::vector<int> gather_on_all(MPI_Comm world, const std::vector<int>& ow
   return all;
 }
 
-/// The ranks' records one after the other on rank 0, empty elsewhere; collective.
+/// Returns the records of all ranks, one after the other, on rank 0, and none elsewhere;
+/// collective.
 template <class Record>
 std::vector<Record> gather_on_first(MPI_Comm world, const std::vector<Record>& own) {
   int rank = 0, ranks = 1;

@@ -9,8 +9,8 @@
 
 namespace LAMMPS_NS {
 
-/// to[r] goes to rank r; returns what comes, in the order of the ranks. `starts`: where that of
-/// each rank begins, and the end. Collective.
+/// Sends to[r] to rank r and returns what all ranks sent here, in their order; collective.
+/// `starts`, if given, is set to where the records of each rank begin, and to the end.
 template <class Record>
 std::vector<Record> exchange_records(MPI_Comm world, std::vector<std::vector<Record> > to,
                                      std::vector<size_t>* starts = NULL) {
@@ -39,7 +39,7 @@ std::vector<Record> exchange_records(MPI_Comm world, std::vector<std::vector<Rec
   return received;
 }
 
-/// Messages of the planar engine, by MPI.
+/// Sends the messages of the planar engine by MPI.
 class MpiRanks : public rodpack::PlanarRanks {
  public:
   explicit MpiRanks(MPI_Comm world) : world_(world) {

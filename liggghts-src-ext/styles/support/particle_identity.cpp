@@ -7,14 +7,14 @@
 #include "comm.h"
 #include "contact_recorder.h"
 #include "domain.h"
-#include "fix_multisphere.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
 
 ParticleIdentity::ParticleIdentity(LAMMPS* lmp) : Pointers(lmp), largest_body_id_(0) {
-  bodies_ = static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
+  bodies_ = multisphere_fix(modify);
   if (bodies_ && bodies_->n_body_all() > 0) largest_body_id_ = bodies_->tag_max_body();
 }
 
@@ -45,7 +45,7 @@ int ParticleIdentity::largest_id() const {
   return largest;
 }
 
-// Centre of mass of the particle that a sphere belongs to, in the periodic image of that sphere.
+/// Centre of mass of the particle that a sphere belongs to, in the periodic image of that sphere.
 rodpack::Vector ParticleIdentity::centre_near(int sphere,
                                               const std::vector<rodpack::Vector>& centres) const {
   const double* const x = atom->x[sphere];

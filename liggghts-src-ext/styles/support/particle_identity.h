@@ -8,9 +8,8 @@
 
 namespace LAMMPS_NS {
 
-/// Particles are the bodies of fix multisphere (or multisphere/ab) and the plain spheres that
-/// belong to none. Ids: a body has its own; a plain sphere has its atom id, shifted by the largest
-/// body id.
+/// Gives every particle an id: the bodies of fix multisphere (or multisphere/ab) keep theirs, a
+/// plain sphere, which belongs to none, has its atom id plus the largest body id.
 class ParticleIdentity : protected Pointers {
  public:
   explicit ParticleIdentity(class LAMMPS* lmp);

@@ -1,71 +1,134 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "style_arguments.h"
 
+#include <cerrno>
 #include <climits>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 
-#include "error.h"
-#include "math_extra_liggghts.h"
+#include "stop_run.h"
 
 namespace LAMMPS_NS {
 
-StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first, const char* kind)
-    : Pointers(lmp), narg_(narg), arg_(arg), next_(first), kind_(kind) {}
+namespace {
+
+/// "a, b or c"
+std::string one_of(std::initializer_list<const char*> words) {
+  std::string list;
+  std::size_t k = 0;
+  for (const char* word : words) {
+    if (k > 0) list += k + 1 < words.size() ? ", " : " or ";
+    list += word;
+    ++k;
+  }
+  return list;
+}
+
+}  // namespace
+
+StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first, const char* kind,
+                               Wording wording)
+    : StyleArguments(lmp, std::string(kind) + " " + arg[2] + " (id " + arg[0] + ")", narg, arg,
+                     first, wording) {}
+
+StyleArguments::StyleArguments(LAMMPS* lmp, const std::string& who, int narg, char** arg, int first,
+                               Wording wording)
+    : Pointers(lmp), who_(who), narg_(narg), arg_(arg), next_(first), wording_(wording) {}
 
 std::string StyleArguments::word(const std::string& keyword, const std::string& expected) {
-  if (!more()) fail("value of " + keyword + " is missing, expected " + expected);
-  return arg_[next_++];
+  if (more()) return arg_[next_++];
+  if (wording_ == Wording::is) fail(keyword + " needs a value, expected " + expected);
+  fail("value of " + keyword + " is missing, expected " + expected);
+}
+
+std::string StyleArguments::new_keyword() {
+  const std::string keyword = word("", "a keyword");
+  if (!keywords_.insert(keyword).second) fail("keyword " + keyword + " is given twice");
+  return keyword;
+}
+
+void StyleArguments::require(std::initializer_list<const char*> keywords) const {
+  for (const char* needed : keywords)
+    if (!given(needed)) fail(std::string("keyword ") + needed + " is missing");
 }
 
 double StyleArguments::number(const std::string& keyword, const std::string& expected,
                               bool (*valid)(double)) {
   const std::string text = word(keyword, expected);
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || *end != '\0' || !std::isfinite(value) || !valid(value))
-    reject(keyword, expected, text);
+  double value = 0.0;
+  if (!read_number(text, value) || !valid(value)) reject(keyword, expected, text);
   return value;
 }
 
 int StyleArguments::integer(const std::string& keyword, const std::string& expected,
                             bool (*valid)(long)) {
   const std::string text = word(keyword, expected);
-  char* end = nullptr;
-  const long value = std::strtol(text.c_str(), &end, 10);
-  if (end == text.c_str() || *end != '\0' || value > INT_MAX || value < INT_MIN || !valid(value))
+  long long value = 0;
+  if (!read_integer(text, value) || value > INT_MAX || value < INT_MIN ||
+      !valid(static_cast<long>(value)))
     reject(keyword, expected, text);
   return static_cast<int>(value);
 }
 
+bigint StyleArguments::step(const std::string& keyword, const std::string& expected,
+                            bool (*valid)(bigint)) {
+  const std::string text = word(keyword, expected);
+  long long value = 0;
+  if (!read_integer(text, value) || value > MAXBIGINT || value < -MAXBIGINT ||
+      !valid(static_cast<bigint>(value)))
+    reject(keyword, expected, text);
+  return static_cast<bigint>(value);
+}
+
 bool StyleArguments::yes_or_no(const std::string& keyword) {
-  const std::string text = word(keyword, "yes or no");
-  if (text != "yes" && text != "no") reject(keyword, "yes or no", text);
-  return text == "yes";
+  return choice(keyword, {"yes", "no"}) == 0;
+}
+
+int StyleArguments::choice(const std::string& keyword, std::initializer_list<const char*> words) {
+  const std::string text = word(keyword, one_of(words));
+  int place = 0;
+  for (const char* known : words) {
+    if (text == known) return place;
+    ++place;
+  }
+  reject(keyword, one_of(words), text);
+}
+
+void StyleArguments::require_end() const {
+  if (more()) reject_keyword(peek(), "");
+}
+
+void StyleArguments::require_group_all(const std::string& what) const {
+  if (std::string(arg_[1]) != "all") fail(what + ": the group has to be 'all'");
 }
 
 void StyleArguments::fail(const std::string& message) const {
-  const std::string text = std::string(kind_) + " " + arg_[2] + " (id " + arg_[0] + "): " + message;
-  error->all(FLERR, text.c_str());
-  std::abort();  // not reached: Error::all ends the run, but does not say so to the compiler
+  stop_run(lmp, who_ + ": " + message);
 }
 
 void StyleArguments::reject(const std::string& keyword, const std::string& expected,
                             const std::string& value) const {
+  if (wording_ == Wording::is) fail(keyword + " is " + value + ", expected " + expected);
   fail(keyword + " must be " + expected + ", got '" + value + "'");
 }
 
-std::string prime_seed(int seed) {
-  // splitmix64's finaliser (Steele, Lea, Flood, OOPSLA 2014)
-  std::uint64_t mixed = static_cast<std::uint64_t>(seed) + 0x9e3779b97f4a7c15ULL;
-  mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebULL;
-  mixed ^= mixed >> 31;
-  // LIGGGHTS adds the rank to the seed of some generators: room for that below INT_MAX
-  int prime = 10007 + static_cast<int>(mixed % (INT_MAX - 20000000));
-  while (!MathExtraLiggghts::isPrime(prime)) ++prime;
-  return std::to_string(prime);
+void StyleArguments::reject_keyword(const std::string& keyword, const std::string& expected) const {
+  const std::string quote = wording_ == Wording::is ? "" : "'";
+  fail("unknown keyword " + quote + keyword + quote +
+       (expected.empty() ? "" : ", expected " + expected));
+}
+
+bool read_number(const std::string& text, double& value) {
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return end != text.c_str() && *end == '\0' && std::isfinite(value);
+}
+
+bool read_integer(const std::string& text, long long& value) {
+  char* end = nullptr;
+  errno = 0;
+  value = std::strtoll(text.c_str(), &end, 10);
+  return end != text.c_str() && *end == '\0' && errno != ERANGE;
 }
 
 }  // namespace LAMMPS_NS

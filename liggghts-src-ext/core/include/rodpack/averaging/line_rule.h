@@ -25,7 +25,8 @@ struct LineRule {
 
   /// "auto", "exact", "1" ... "4"; `tolerance` is that of the fields. One branch may err ten times
   /// as much: its error is a derivative of the kernel, and those of many branches cancel (measured
-  /// in doc/coarse_graining_accuracy.md). @throws std::invalid_argument for another name.
+  /// in doc/background/coarse_graining_accuracy.md). @throws std::invalid_argument for another
+  /// name.
   static LineRule named(const std::string& name, double tolerance);
 };
 
