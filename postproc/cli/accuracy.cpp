@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/accuracy.h"
+#include "campaigns/accuracy/accuracy.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
-#include "rodpack/beds.h"
-#include "rodpack/data_error.h"
-#include "rodpack/deck_folder.h"
-#include "rodpack/stability.h"
+#include "campaigns/beds/beds.h"
+#include "campaigns/launch/deck_folder.h"
+#include "campaigns/stability/stability.h"
+#include "cli/commands.h"
+#include "reading/data_error.h"
 
 namespace rodpack::cli {
 namespace {
@@ -22,6 +22,12 @@ const std::vector<double> all_steps = {10.37, 14.37,  20.37,  28.37,  40.37,  57
 const std::vector<double> quick_steps = {28.37, 57.37, 114.37};
 const std::vector<std::string> quick_scenes = {"collision_0.2", "oblique_slip", "rod_drop",
                                                "spin_3d", "rod_rocking"};
+
+struct Options {
+  AccuracySettings settings;
+  bool quick = false;
+  std::string out;
+};
 
 void measure_stability_into(const AccuracySettings& settings, const std::string& folder) {
   StabilityOptions options;
@@ -47,14 +53,63 @@ bool wanted(const AccuracySettings& settings, const char* scene) {
   return std::find(settings.scenes.begin(), settings.scenes.end(), scene) != settings.scenes.end();
 }
 
+/// Checks the settings before anything runs. @throws CLI::ValidationError naming what cannot be
+/// run.
+void check(const AccuracySettings& settings) {
+  try {
+    for (const auto& name : settings.scenes)
+      if (name != beds_scene && name != stability_scene) accuracy_scene(name);
+    for (const auto& name : settings.methods) accuracy_method(name);
+    bed_comparisons(settings.bed_methods, settings.bed_comparisons);
+  } catch (const DataError& error) {
+    throw CLI::ValidationError(error.what());
+  }
+  for (const double value : settings.steps)
+    if (!(value >= 3 && value <= 1e5))
+      throw CLI::ValidationError("--steps: " + CLI::detail::to_string(value) +
+                                 ", expected 3 to 1e5 steps per contact");
+}
+
+void measure(const AccuracySettings& settings, const std::string& out) {
+  const auto rows = measure_accuracy(settings, out, std::cout);
+  std::string beds;
+  if (wanted(settings, beds_scene)) beds = measure_beds_into(settings, out);
+  report_accuracy(rows, beds, settings, out);
+  std::cout << "written: " << out << "/accuracy.csv, accuracy.md, *_evaluations and "
+            << "*_seconds .png .svg\n";
+  if (wanted(settings, stability_scene)) measure_stability_into(settings, out);
+}
+
+void add_bed_options(CLI::App& command, AccuracySettings& settings) {
+  command.add_option("--seeds", settings.seeds, "beds per model")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      .add_option("--comparisons", settings.bed_comparisons,
+                  "what beds compare: surface,planar,engine,stiffness,step_METHOD [default: all]")
+      ->delimiter(',')
+      ->type_name("LIST");
+  command.add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str()
+      ->type_name("N");
+  command.add_option("--per-line", settings.bed_scene.per_line, "rods per line of a bed")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str()
+      ->type_name("N");
+}
+
+/// Joins names with commas, as the options take them.
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
 }  // namespace
 
 void add_accuracy(CLI::App& app) {
-  struct Options {
-    AccuracySettings settings;
-    bool quick = false;
-    std::string out;
-  };
   auto options = std::make_shared<Options>();
   auto& settings = options->settings;
   settings.scenes.push_back(beds_scene);
@@ -77,14 +132,9 @@ void add_accuracy(CLI::App& app) {
       ->add_option("--inputs", settings.inputs,
                    "the folder inputs/; default: that of the repository")
       ->type_name("FOLDER");
-  const auto names = [](const std::vector<std::string>& all) {
-    std::string text;
-    for (const auto& name : all) text += (text.empty() ? "" : ",") + name;
-    return text;
-  };
   auto* scenes = command
                      ->add_option("--scenes", settings.scenes,
-                                  "scenes [default: " + names(settings.scenes) + "]")
+                                  "scenes [default: " + listed(settings.scenes) + "]")
                      ->delimiter(',')
                      ->type_name("LIST");
   auto* methods =
@@ -93,7 +143,7 @@ void add_accuracy(CLI::App& app) {
               "--methods", settings.methods,
               "builtin: fix multisphere; abN: fix multisphere/ab order N events no; abNe: with "
               "events yes [default: " +
-                  names(accuracy_method_names()) + "; beds: " + names(settings.bed_methods) + "]")
+                  listed(accuracy_method_names()) + "; beds: " + listed(settings.bed_methods) + "]")
           ->delimiter(',')
           ->type_name("LIST");
   auto* steps = command
@@ -107,55 +157,22 @@ void add_accuracy(CLI::App& app) {
                                    "timed runs per scene and method [default: 5]")
                       ->check(CLI::Range(1, 1000))
                       ->type_name("N");
-  command->add_option("--seeds", settings.seeds, "beds per model")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str()
-      ->type_name("N");
-  command
-      ->add_option("--comparisons", settings.bed_comparisons,
-                   "what beds compare: surface,planar,engine,stiffness,step_METHOD [default: all]")
-      ->delimiter(',')
-      ->type_name("LIST");
-  command->add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str()
-      ->type_name("N");
-  command->add_option("--per-line", settings.bed_scene.per_line, "rods per line of a bed")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str()
-      ->type_name("N");
+  add_bed_options(*command, settings);
   command->add_flag("--quick", options->quick,
                     "five scenes, three steps, one timed run: below a minute");
 
   command->callback([options, scenes, methods, steps, repeats] {
-    auto& s = options->settings;
+    auto& given = options->settings;
     if (options->quick) {
-      if (scenes->count() == 0) s.scenes = quick_scenes;
-      if (repeats->count() == 0) s.repeats = 1;
-      s.timed_steps = 4000;
+      if (scenes->count() == 0) given.scenes = quick_scenes;
+      if (repeats->count() == 0) given.repeats = 1;
+      given.timed_steps = 4000;
     }
-    if (methods->count() > 0) s.bed_methods = s.methods;
-    if (steps->count() == 0) s.steps = options->quick ? quick_steps : all_steps;
-    try {
-      for (const auto& name : s.scenes)
-        if (name != beds_scene && name != stability_scene) accuracy_scene(name);
-      for (const auto& name : s.methods) accuracy_method(name);
-      bed_comparisons(s.bed_methods, s.bed_comparisons);
-    } catch (const DataError& error) {
-      throw CLI::ValidationError(error.what());
-    }
-    for (const double value : s.steps)
-      if (!(value >= 3 && value <= 1e5))
-        throw CLI::ValidationError("--steps: " + CLI::detail::to_string(value) +
-                                   ", expected 3 to 1e5 steps per contact");
-    if (s.liggghts.program.empty()) s.liggghts.program = liggghts_beside_this_program();
-    const auto rows = measure_accuracy(s, options->out, std::cout);
-    std::string beds;
-    if (wanted(s, beds_scene)) beds = measure_beds_into(s, options->out);
-    report_accuracy(rows, beds, s, options->out);
-    std::cout << "written: " << options->out << "/accuracy.csv, accuracy.md, *_evaluations and "
-              << "*_seconds .png .svg\n";
-    if (wanted(s, stability_scene)) measure_stability_into(s, options->out);
+    if (methods->count() > 0) given.bed_methods = given.methods;
+    if (steps->count() == 0) given.steps = options->quick ? quick_steps : all_steps;
+    check(given);
+    if (given.liggghts.program.empty()) given.liggghts.program = liggghts_beside_this_program();
+    measure(given, options->out);
   });
 }
 

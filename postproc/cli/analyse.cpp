@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/analyse.h"
+#include "report/analyse_run.h"
 
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
+#include "cli/commands.h"
 
 namespace rodpack::cli {
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_COMMANDS_H
-#define RODPACK_COMMANDS_H
+#ifndef RODPACK_CLI_COMMANDS_H
+#define RODPACK_CLI_COMMANDS_H
 
 #include <CLI/CLI.hpp>
-#include <string>
-#include <vector>
-
-#include "rodpack/packing.h"
 
 namespace rodpack::cli {
 
@@ -22,23 +18,6 @@ void add_export(CLI::App& app);
 void add_analyse(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_accuracy(CLI::App& app);
-
-/// Dumps to read, common to the measuring subcommands.
-struct Input {
-  std::vector<std::string> patterns;
-  bool all_frames = false;
-  PackingOptions packing;
-
-  /// Calls `visit` with the last frame, or with every frame if the user asks for all.
-  void for_frames(const std::function<void(const Frame&)>& visit) const;
-};
-void add_files(CLI::App& command, Input& input, const std::string& kind);
-void add_all_frames(CLI::App& command, Input& input);
-void add_packing_options(CLI::App& command, Input& input);
-void add_output(CLI::App& command, std::string& stem);
-
-/// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal.
-std::string describe(const Packing& packing);
 
 }  // namespace rodpack::cli
 

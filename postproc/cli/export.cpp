@@ -2,8 +2,9 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
-#include "rodpack/vtk_export.h"
+#include "cli/commands.h"
+#include "figures/vtk_export.h"
+#include "reading/parameters.h"
 
 namespace rodpack::cli {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "field_input.h"
+#include "cli/field_input.h"
 
 #include <filesystem>
 
-#include "rodpack/text.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_FIELD_INPUT_H
-#define RODPACK_FIELD_INPUT_H
+#ifndef RODPACK_CLI_FIELD_INPUT_H
+#define RODPACK_CLI_FIELD_INPUT_H
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "commands.h"
-#include "rodpack/fields.h"
+#include "analysis/fields.h"
+#include "cli/input.h"
 
 namespace rodpack::cli {
 

@@ -1,17 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/contact_forces.h"
+#include "analysis/contact_forces.h"
 
 #include <iostream>
 #include <memory>
 #include <optional>
 
-#include "commands.h"
-#include "rodpack/force_chains.h"
-#include "rodpack/render.h"
-#include "rodpack/text.h"
+#include "analysis/force_chains.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "figures/contact_forces_figure.h"
+#include "figures/force_chains_figure.h"
+#include "figures/render.h"
+#include "reading/number_text.h"
+#include "reading/packing.h"
 
 namespace rodpack::cli {
 namespace {
+
+struct Options {
+  Input input;
+  std::vector<std::string> bodies;
+  ContactForceOptions forces;
+  std::string stem = "forces";
+};
 
 void report(const ContactForces& forces, std::ostream& out) {
   out << forces.carrying << " contacts; left out: " << forces.not_carrying
@@ -34,15 +45,45 @@ void report(const ContactForces& forces, std::ostream& out) {
     out << "those without contact are missed: no --bodies\n";
 }
 
+void measure(const Options& options) {
+  const auto& input = options.input;
+  auto packing = input.packing;
+  const auto files = find_dumps(input.patterns);
+  std::vector<std::string> body_files;
+  if (!options.bodies.empty()) body_files = find_dumps(options.bodies);
+  auto settings = options.forces;
+  settings.friction = find_friction(files.back(), input.packing.parameters, settings.friction);
+  ContactForceSample sample(settings);
+  Frame last;
+  std::size_t empty = 0;
+  input.for_frames([&](const Frame& frame) {
+    if (input.all_frames && frame.rows == 0) {  // as at the start of a deposition
+      ++empty;
+      return;
+    }
+    std::optional<Frame> bodies;
+    if (!body_files.empty()) bodies = frame_at(body_files, frame.timestep);
+    sample.add(frame, bodies ? &*bodies : nullptr);
+    if (bodies) packing.particle_diameter = sphere_diameter(*bodies, packing);
+    last = frame;
+  });
+  if (last.rows == 0) throw DataError(files.back() + ": no contacts in any frame");
+  const auto forces = sample.result();
+  force_lines(last);  // bad columns show before anything is written
+  const auto& stem = options.stem;
+  write_contact_force_tables(forces, stem);
+  plot_contact_forces(forces, stem);
+  draw_force_chains(last, packing, stem + "_chains");
+  report(forces, std::cout);
+  if (empty > 0) std::cout << "frames without contacts, left out: " << empty << '\n';
+  std::cout << "written: " << stem << ".csv .png .svg, ";
+  if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
+  std::cout << stem << "_coordination.csv .png .svg, " << stem << "_chains.png .svg\n";
+}
+
 }  // namespace
 
 void add_forces(CLI::App& app) {
-  struct Options {
-    Input input;
-    std::vector<std::string> bodies;
-    ContactForceOptions forces;
-    std::string stem = "forces";
-  };
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand(
       "forces",
@@ -78,41 +119,7 @@ void add_forces(CLI::App& app) {
   add_packing_options(*command, options->input);
   add_output(*command, options->stem);
 
-  command->callback([options] {
-    const auto& input = options->input;
-    auto packing = input.packing;
-    const auto files = find_dumps(input.patterns);
-    std::vector<std::string> body_files;
-    if (!options->bodies.empty()) body_files = find_dumps(options->bodies);
-    auto settings = options->forces;
-    settings.friction = find_friction(files.back(), input.packing.parameters, settings.friction);
-    ContactForceSample sample(settings);
-    Frame last;
-    std::size_t empty = 0;
-    input.for_frames([&](const Frame& frame) {
-      if (input.all_frames && frame.rows == 0) {  // as at the start of a deposition
-        ++empty;
-        return;
-      }
-      std::optional<Frame> bodies;
-      if (!body_files.empty()) bodies = frame_at(body_files, frame.timestep);
-      sample.add(frame, bodies ? &*bodies : nullptr);
-      if (bodies) packing.particle_diameter = sphere_diameter(*bodies, packing);
-      last = frame;
-    });
-    if (last.rows == 0) throw DataError(files.back() + ": no contacts in any frame");
-    const auto forces = sample.result();
-    force_lines(last);  // bad columns show before anything is written
-    const auto& stem = options->stem;
-    write_contact_force_tables(forces, stem);
-    plot_contact_forces(forces, stem);
-    draw_force_chains(last, packing, stem + "_chains");
-    report(forces, std::cout);
-    if (empty > 0) std::cout << "frames without contacts, left out: " << empty << '\n';
-    std::cout << "written: " << stem << ".csv .png .svg, ";
-    if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
-    std::cout << stem << "_coordination.csv .png .svg, " << stem << "_chains.png .svg\n";
-  });
+  command->callback([options] { measure(*options); });
 }
 
 }  // namespace rodpack::cli

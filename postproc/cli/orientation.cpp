@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/orientation.h"
+#include "analysis/orientation.h"
 
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
-#include "rodpack/text.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "figures/orientation_figure.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 

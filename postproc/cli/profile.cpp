@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/pressure_profile.h"
+#include "analysis/pressure_profile.h"
 
 #include <iostream>
 #include <memory>
 
-#include "field_input.h"
-#include "rodpack/text.h"
+#include "analysis/janssen_fit.h"
+#include "cli/commands.h"
+#include "cli/field_input.h"
+#include "figures/profile_figure.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 

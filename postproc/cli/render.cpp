@@ -1,23 +1,49 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/render.h"
+#include "figures/render.h"
 
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
+#include <vector>
 
-#include "commands.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "reading/packing.h"
 
 namespace rodpack::cli {
 
+namespace {
+
+struct Options {
+  Input input;
+  RenderOptions render;
+  std::vector<double> window;
+  std::optional<double> largest;
+  bool in_diameters = false;
+  std::string stem = "packing";
+};
+
+void draw(const Options& options) {
+  auto render = options.render;
+  render.packing = options.input.packing;
+  render.largest = options.largest;
+  const auto& window = options.window;
+  if (!window.empty() && !(window[1] > window[0] && window[3] > window[2]))
+    throw CLI::ValidationError("--window", "expected XLO < XHI and YLO < YHI");
+  options.input.for_frames([&](const Frame& frame) {
+    if (!window.empty()) {
+      const double unit = options.in_diameters ? sphere_diameter(frame, render.packing) : 1;
+      render.window = {window[0] * unit, window[1] * unit, window[2] * unit, window[3] * unit};
+    }
+    render_spheres(frame, render, options.stem);
+  });
+  std::cout << "written: " << options.stem << ".png .svg\n";
+}
+
+}  // namespace
+
 void add_render(CLI::App& app) {
-  struct Options {
-    Input input;
-    RenderOptions render;
-    std::vector<double> window;
-    double largest = 0;
-    bool in_diameters = false;
-    std::string stem = "packing";
-  };
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("render",
                                      "Picture of a packing: every primary sphere at its true size "
@@ -47,12 +73,12 @@ void add_render(CLI::App& app) {
       ->type_name("XLO XHI YLO YHI");
   command->add_flag("--in-dp", options->in_diameters,
                     "--window counts in sphere diameters d_p, not m");
-  auto* largest = command
-                      ->add_option("--max", options->largest,
-                                   "top of the colour scale, N [default: 99 % of the spheres are "
-                                   "below]")
-                      ->check(CLI::PositiveNumber)
-                      ->type_name("N");
+  command
+      ->add_option("--max", options->largest,
+                   "top of the colour scale, N [default: 99 % of the spheres are "
+                   "below]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
   command
       ->add_option("--pixels", options->render.pixels,
                    "longer side of the drawn window [default: 8 per d_p, 1200 to 4000]")
@@ -61,22 +87,7 @@ void add_render(CLI::App& app) {
   add_packing_options(*command, options->input);
   add_output(*command, options->stem);
 
-  command->callback([options, largest] {
-    auto& render = options->render;
-    render.packing = options->input.packing;
-    if (*largest) render.largest = options->largest;
-    auto& window = options->window;
-    if (!window.empty() && !(window[1] > window[0] && window[3] > window[2]))
-      throw CLI::ValidationError("--window", "expected XLO < XHI and YLO < YHI");
-    options->input.for_frames([&](const Frame& frame) {
-      if (!window.empty()) {
-        const double unit = options->in_diameters ? sphere_diameter(frame, render.packing) : 1;
-        render.window = {window[0] * unit, window[1] * unit, window[2] * unit, window[3] * unit};
-      }
-      render_spheres(frame, render, options->stem);
-    });
-    std::cout << "written: " << options->stem << ".png .svg\n";
-  });
+  command->callback([options] { draw(*options); });
 }
 
 }  // namespace rodpack::cli

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/solid_fraction.h"
+#include "analysis/solid_fraction.h"
 
 #include <iostream>
 #include <memory>
 
-#include "field_input.h"
-#include "rodpack/text.h"
+#include "cli/commands.h"
+#include "cli/field_input.h"
+#include "figures/field_maps.h"
+#include "reading/number_text.h"
 
 namespace rodpack::cli {
 

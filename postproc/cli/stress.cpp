@@ -2,7 +2,9 @@
 #include <iostream>
 #include <memory>
 
-#include "field_input.h"
+#include "cli/commands.h"
+#include "cli/field_input.h"
+#include "figures/field_maps.h"
 
 namespace rodpack::cli {
 

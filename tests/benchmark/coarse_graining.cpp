@@ -14,9 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "rodpack/fields.h"
-#include "rodpack/figure.h"
-#include "rodpack/text.h"
+#include "analysis/fields.h"
+#include "figures/figure.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace {
 using namespace rodpack;

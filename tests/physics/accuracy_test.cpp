@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Observed orders of the integrators, through what `rodpack accuracy` does.
-#include "rodpack/accuracy.h"
+#include "campaigns/accuracy/accuracy.h"
 
 #include <gtest/gtest.h>
 

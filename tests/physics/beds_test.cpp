@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/beds.h"
+#include "campaigns/beds/beds.h"
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <vector>
 
 #include "liggghts_run.h"
+#include "reading/table.h"
 
 namespace {
 
@@ -15,16 +14,14 @@ using namespace rodpack::test;
 
 // compare.csv: builtin, rodpack, builtin_sampled, exact of each quantity; NaN where empty.
 std::map<std::string, std::vector<double>> read_comparison(const std::filesystem::path& file) {
+  const auto table = rodpack::read_table(file.string());
+  const auto& quantity = table.words("quantity");
   std::map<std::string, std::vector<double>> rows;
-  std::ifstream in(file);
-  std::string line;
-  while (std::getline(in, line)) {
-    std::istringstream fields(line + ",");
-    std::string name, unit, value;
-    std::getline(fields, name, ',');
-    std::getline(fields, unit, ',');
-    while (std::getline(fields, value, ',')) rows[name].push_back(std::atof(value.c_str()));
-  }
+  for (const char* column : {"builtin", "rodpack", "builtin_sampled", "exact"})
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      const std::string& value = table.words(column)[i];
+      rows[quantity[i]].push_back(value.empty() ? NAN : std::stod(value));
+    }
   return rows;
 }
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "liggghts_run.h"
-#include "rodpack/accuracy.h"
-#include "rodpack/text.h"
+#include "campaigns/accuracy/accuracy.h"
+#include "reading/number_text.h"
 #include "table.h"
 
 using namespace rodpack::test;

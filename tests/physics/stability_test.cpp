@@ -8,7 +8,7 @@
 #include <string>
 
 #include "liggghts_run.h"
-#include "rodpack/stability.h"
+#include "campaigns/stability/stability.h"
 #include "rodpack/motion/stability_limit.h"
 
 using namespace rodpack::test;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/accuracy.h"
+#include "campaigns/accuracy/accuracy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,11 +12,12 @@
 
 #include "../physics/collision_reference.h"
 #include "liggghts_run.h"
-#include "rodpack/accuracy_references.h"
+#include "campaigns/accuracy/accuracy_references.h"
 #include "rodpack/contact/contact_law.h"
-#include "rodpack/data_error.h"
+#include "reading/data_error.h"
 #include "rodpack/geometry/mass_properties.h"
-#include "rodpack/text.h"
+#include "reading/number_text.h"
+#include "reading/table.h"
 
 namespace {
 
@@ -283,21 +284,18 @@ TEST_F(AccuracyRun, RowsHoldErrorAndCost) {
   const auto run = accuracy();
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(runs(), 5);  // two timed ones and one per step
-  std::istringstream csv(text_of(folder_ / "out/accuracy.csv"));
-  std::string line;
-  std::getline(csv, line);
-  EXPECT_EQ(line, "scene,method,order,steps_per_contact,error,force_evaluations,seconds");
-  std::getline(csv, line);
+  const auto table = read_table((folder_ / "out/accuracy.csv").string());
+  EXPECT_THAT(table.names(), testing::ElementsAre("scene", "method", "order", "steps_per_contact",
+                                                  "error", "force_evaluations", "seconds"));
+  ASSERT_EQ(table.rows(), 3u);
   const long steps = accuracy_scene("spin_planar").steps(30);
-  std::vector<std::string> fields;
-  std::istringstream row(line);
-  for (std::string field; std::getline(row, field, ',');) fields.push_back(field);
-  ASSERT_EQ(fields.size(), 7u);
-  EXPECT_EQ(fields[0] + fields[1] + fields[2], "spin_planarab33");
-  EXPECT_NEAR(std::stod(fields[3]), 30, 0.1);
-  EXPECT_NEAR(std::stod(fields[4]), 1e-3, 1e-9);
-  EXPECT_EQ(std::stol(fields[5]), steps);
-  EXPECT_NEAR(std::stod(fields[6]), 0.5 / 20000 * steps, 1e-6);
+  EXPECT_EQ(table.words("scene")[0], "spin_planar");
+  EXPECT_EQ(table.words("method")[0], "ab3");
+  EXPECT_EQ(table.whole_numbers("order")[0], 3);
+  EXPECT_NEAR(table.column("steps_per_contact")[0], 30, 0.1);
+  EXPECT_NEAR(table.column("error")[0], 1e-3, 1e-9);
+  EXPECT_EQ(table.whole_numbers("force_evaluations")[0], steps);
+  EXPECT_NEAR(table.column("seconds")[0], 0.5 / 20000 * steps, 1e-6);
   for (const char* file : {"accuracy.md", "spin_planar_evaluations.png", "spin_planar_seconds.svg"})
     EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/beds.h"
+#include "campaigns/beds/beds.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "liggghts_run.h"
-#include "rodpack/data_error.h"
+#include "reading/data_error.h"
 
 namespace {
 
@@ -246,8 +246,11 @@ TEST(Beds, MalformedRowsAreNamed) {
   };
   EXPECT_EQ(with("ab3e", "ab3e"), "no error");
   EXPECT_EQ(with(",yes,", ",engine,"), "no error");
-  EXPECT_THAT(with(",2000,", ",2000N,"), HasSubstr("beds.csv:3: expected a method"));
-  EXPECT_THAT(with(",yes,", ",maybe,"), HasSubstr("beds.csv:3: expected a method"));
+  EXPECT_THAT(with(",2000,", ",2000N,"),
+              HasSubstr("beds.csv:3: expected a number, found '2000N' (column "
+                        "'normal_stiffness_N_m')"));
+  EXPECT_THAT(with(",yes,", ",maybe,"),
+              HasSubstr("beds.csv:3: expected yes, no or engine, found 'maybe' (column 'planar')"));
   EXPECT_THAT(with(",60,", ","), HasSubstr("beds.csv:3: expected method,timestep_s"));
   EXPECT_THAT(message_of(file, "seed\n"), HasSubstr("beds.csv:1: expected method,timestep_s"));
 }
@@ -269,7 +272,8 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
       << box
       << "ITEM: ENTRIES body_i body_j wall fx fy overlap_n\n1 2 0 1 2 3e-6\n2 1 0 -2 -2 9e-6\n"
          "1 0 1 0 0.015 6e-6\n2 0 1 0.5 0.00462 6e-6\nEOD\n"
-         "echo '# k e l' > energies.txt\necho '1e-12 2e-6 0.4' >> energies.txt\n";
+         "echo '# kinetic_J elastic_J step_over_limit' > energies.txt\necho '1e-12 2e-6 0.4' >> "
+         "energies.txt\n";
   fs::permissions(folder / "fake", fs::perms::owner_all);
   AccuracySettings settings;
   settings.liggghts.program = (folder / "fake").string();
@@ -298,7 +302,8 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
   EXPECT_THAT(arguments.str(),
               HasSubstr("-var integrator multisphere/ab order 3 events yes planar yes "));
   EXPECT_THAT(arguments.str(), HasSubstr("-var style verlet "));
-  EXPECT_THAT(arguments.str(), HasSubstr("-var lines 24 -var overlap 0.75 -var per_line 5 -var seed 3"));
+  EXPECT_THAT(arguments.str(),
+              HasSubstr("-var lines 24 -var overlap 0.75 -var per_line 5 -var seed 3"));
 }
 
 // A run that left no numbers is a row without rods; one that left nothing is an error
@@ -313,7 +318,8 @@ TEST(Beds, ARunBeyondAllBoundsIsARowWithoutRods) {
     return run_bed(settings, folder.string(), {}, 1);
   };
   const auto row = fake(
-      "echo '# k e l' > energies.txt\necho 'nan nan inf' >> energies.txt\ncat > end.dump << EOD\n"
+      "echo '# kinetic_J elastic_J step_over_limit' > energies.txt\necho 'nan nan inf' >> "
+      "energies.txt\ncat > end.dump << EOD\n"
       "ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
       "ITEM: ATOMS id y angle area mass\n1 nan nan 4e-5 1e-3\nEOD\n");
   EXPECT_EQ(row.rods, 0);
@@ -324,7 +330,7 @@ TEST(Beds, ARunBeyondAllBoundsIsARowWithoutRods) {
       "ff\n0 1\n0 1\n0 1\nITEM: ATOMS id y angle area mass\n1 1 1 4e-5 1e-3\nEOD\n"
       "cat > contacts.dump << EOD\nITEM: TIMESTEP\n1\nITEM: NUMBER OF ENTRIES\n0\nITEM: BOX BOUNDS "
       "ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES body_i body_j wall fx fy overlap_n\nEOD\n"
-      "echo '# k e l' > energies.txt\n";
+      "echo '# kinetic_J elastic_J step_over_limit' > energies.txt\n";
   EXPECT_EQ(fake(one_body + "echo '1 1 1' >> energies.txt\n").rods, 1);
   EXPECT_EQ(fake(one_body + "echo 'nan 1 1' >> energies.txt\n").rods, 0);
   EXPECT_THROW(fake("true\n"), DataError);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/comparison.h"
+#include "campaigns/comparison/comparison.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "liggghts_run.h"
-#include "rodpack/deck_folder.h"
-#include "rodpack/step_timing.h"
+#include "campaigns/launch/deck_folder.h"
+#include "campaigns/launch/step_timing.h"
 #include "synthetic_packing.h"
 
 namespace {

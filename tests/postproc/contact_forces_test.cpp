@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/contact_forces.h"
+#include "analysis/contact_forces.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "liggghts_run.h"
-#include "rodpack/force_chains.h"
+#include "analysis/force_chains.h"
 #include "synthetic_packing.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/fields.h"
+#include "analysis/fields.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,9 @@
 #include <random>
 
 #include "liggghts_run.h"
-#include "rodpack/pressure_profile.h"
+#include "analysis/pressure_profile.h"
 #include "synthetic_packing.h"
+#include "analysis/janssen_fit.h"
 
 using namespace rodpack;
 using rodpack::test::frame_head;

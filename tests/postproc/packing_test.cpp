@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/packing.h"
+#include "reading/packing.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "liggghts_run.h"
-#include "rodpack/solid_fraction.h"
+#include "analysis/solid_fraction.h"
 #include "synthetic_packing.h"
 
 namespace {
@@ -156,6 +156,28 @@ TEST(SolidFraction, BedLowerThanTheAveragingHeightsHasNoMean) {
   const auto field = solid_fraction(packing);
   EXPECT_FALSE(field.up_to_surface);
   EXPECT_FALSE(field.up_to_3_scales_below);
+}
+
+// The paper's container is 20 l_axial wide and its slice 2 l_axial, which leaves 9 l_axial = 3 w on
+// either side: exactly what is asked for, and in binary numbers some units in the last place more
+// or less, depending on AR. A wall that is closer by a thousandth is too close.
+TEST(SolidFraction, SideWallsOfThePapersContainerAreThreeScalesFromTheSlice) {
+  const auto kept = [](double aspect_ratio, double width_in_lengths) {
+    Packing packing;
+    packing.x = {0.1};
+    packing.y = {0.1};
+    packing.area = {4e-5};
+    packing.particle_diameter = 3e-3;
+    packing.aspect_ratio = aspect_ratio;
+    packing.walls.right = width_in_lengths * aspect_ratio * 3e-3;
+    packing.surface = 0.2;
+    return solid_fraction(packing).side_distance_kept;
+  };
+  for (const double aspect_ratio : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}) {
+    EXPECT_TRUE(kept(aspect_ratio, 20)) << aspect_ratio;
+    EXPECT_FALSE(kept(aspect_ratio, 20 * 0.999)) << aspect_ratio;
+    EXPECT_TRUE(kept(aspect_ratio, 20 * 1.001)) << aspect_ratio;
+  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/rdf.h"
+#include "analysis/rdf.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/stability.h"
+#include "campaigns/stability/stability.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "liggghts_run.h"
-#include "rodpack/data_error.h"
+#include "reading/data_error.h"
 
 namespace rodpack {
 namespace {
@@ -73,12 +73,16 @@ TEST(Stability, AMalformedTableIsNamed) {
     return "";
   };
   const std::string file = (folder / "stability.csv").string();
-  EXPECT_EQ(message("a,b\n"),
-            file + ":1: expected 'method,order,damping_ratio,limit_measured,limit_theory'");
+  EXPECT_EQ(
+      message("a,b\n"),
+      file + ":1: expected method,order,damping_ratio,limit_measured,limit_theory, found 'a,b'");
   const std::string header = "method,order,damping_ratio,limit_measured,limit_theory\n";
-  EXPECT_EQ(message(header + "adams_bashforth,3,0.2\n"), file + ":2: expected 5 fields, found 3");
+  EXPECT_EQ(message(header + "adams_bashforth,3,0.2\n"),
+            file +
+                ":2: expected method,order,damping_ratio,limit_measured,limit_theory, found "
+                "'adams_bashforth,3,0.2'");
   EXPECT_EQ(message(header + "adams_bashforth,3,0.2,x,1\n"),
-            file + ": expected a number, found 'x'");
+            file + ":2: expected a number, found 'x' (column 'limit_measured')");
 }
 
 TEST(Stability, ScenesAreWrittenWithTheirFactor) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/surface_roughness.h"
+#include "analysis/surface_roughness.h"
 
 #include <gtest/gtest.h>
 

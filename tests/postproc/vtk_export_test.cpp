@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "rodpack/vtk_export.h"
+#include "figures/vtk_export.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "rodpack/deck_run.h"
+#include "campaigns/launch/deck_run.h"
 
 namespace rodpack::test {
 

@@ -3,54 +3,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "reading/dump.h"
+#include "reading/table.h"
 
 namespace rodpack::test {
 
 namespace {
 
-using Rows = std::vector<std::vector<double>>;
-
-std::vector<std::string> split(std::string line) {
-  std::replace(line.begin(), line.end(), ',', ' ');
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
-[[noreturn]] void fail(const std::filesystem::path& file, int line_number,
-                       const std::string& what) {
-  throw std::runtime_error(file.string() + ":" + std::to_string(line_number) + ": " + what);
-}
-
-std::vector<double> to_numbers(const std::filesystem::path& file, int line_number,
-                               const std::vector<std::string>& words, std::size_t expected) {
-  if (words.size() != expected) {
-    fail(file, line_number,
-         std::to_string(words.size()) + " values, expected " + std::to_string(expected));
+/// The rows of a table, a frame of a dump or whatever else has columns with these names.
+template <class Columns>
+std::vector<std::vector<double>> rows_of(const Columns& table,
+                                         const std::vector<std::string>& names, std::size_t count) {
+  std::vector<std::vector<double>> rows(count);
+  for (const std::string& name : names) {
+    const std::vector<double>& column = table.column(name);
+    for (std::size_t i = 0; i < count; ++i) rows[i].push_back(column[i]);
   }
-  std::vector<double> numbers;
-  for (const std::string& word : words) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(word.c_str(), &end));
-    if (*end != '\0') fail(file, line_number, "'" + word + "' is not a number");
-  }
-  return numbers;
-}
-
-std::ifstream open(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw std::runtime_error("cannot read " + file.string());
-  return stream;
+  return rows;
 }
 
 }  // namespace
 
-Table::Table(std::string origin, std::vector<std::string> names, const Rows& rows, long timestep)
+Table::Table(std::string origin, std::vector<std::string> names,
+             const std::vector<std::vector<double>>& rows, long timestep)
     : origin_(std::move(origin)),
       names_(std::move(names)),
       columns_(names_.size()),
@@ -72,68 +50,20 @@ const std::vector<double>& Table::column(const std::string& name) const {
 }
 
 Table read_table(const std::filesystem::path& file) {
-  std::ifstream stream = open(file);
-  std::vector<std::string> names;
-  bool named_by_comment = false;
-  Rows rows;
-  int line_number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++line_number;
-    if (!line.empty() && line[0] == '#') {
-      if (rows.empty()) names = split(line.substr(1));
-      named_by_comment = true;
-      continue;
-    }
-    const std::vector<std::string> words = split(line);
-    if (words.empty()) continue;
-    if (names.empty() && !named_by_comment) {
-      names = words;
-    } else {
-      rows.push_back(to_numbers(file, line_number, words, names.size()));
-    }
-  }
-  return Table(file.string(), names, rows);
+  const rodpack::Table table = rodpack::read_table(file.string());
+  return Table(file.string(), table.names(), rows_of(table, table.names(), table.rows()));
 }
 
-Table read_dump(const std::filesystem::path& file, int frame) {
-  std::ifstream stream = open(file);
-  std::vector<Table> frames;  // the wanted one only, or the latest so far
+Table read_dump(const std::filesystem::path& file, int wanted) {
+  DumpReader reader(file.string());
+  Frame frame;
   int count = 0;
-  int line_number = 0;
-  long timestep = 0;
-  std::size_t entries = 0;
-  std::string line;
-  const auto next = [&] {
-    if (!std::getline(stream, line)) fail(file, line_number, "ends in the middle of a frame");
-    ++line_number;
-  };
-  while (std::getline(stream, line)) {
-    ++line_number;
-    if (line.rfind("ITEM: TIMESTEP", 0) == 0) {
-      next();
-      timestep = std::stol(line);
-    } else if (line.rfind("ITEM: NUMBER OF", 0) == 0) {
-      next();
-      entries = std::stoul(line);
-    } else if (line.rfind("ITEM: ATOMS", 0) == 0 || line.rfind("ITEM: ENTRIES", 0) == 0) {
-      std::vector<std::string> names = split(line);
-      names.erase(names.begin(), names.begin() + 2);
-      Rows rows;
-      for (std::size_t i = 0; i < entries; ++i) {
-        next();
-        rows.push_back(to_numbers(file, line_number, split(line), names.size()));
-      }
-      if (frame < 0 || frame == count) {
-        frames.assign(1, Table(file.string(), names, rows, timestep));
-      }
-      ++count;
-    }
-  }
-  if (frames.empty() || frame >= count) {
+  while ((wanted < 0 || count <= wanted) && reader.next(frame)) ++count;
+  if (count == 0 || count <= wanted) {
     throw std::runtime_error(file.string() + " has " + std::to_string(count) +
-                             " frames, no frame " + std::to_string(frame));
+                             " frames, no frame " + std::to_string(wanted));
   }
-  return frames.front();
+  return Table(file.string(), frame.names, rows_of(frame, frame.names, frame.rows), frame.timestep);
 }
 
 double observed_order(double error_coarse, double error_fine, double ratio) {

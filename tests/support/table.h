@@ -31,14 +31,12 @@ class Table {
   long timestep_;
 };
 
-/// Reads a whitespace- or comma-separated file. The names of the columns are the last line starting
-/// with '#' before the numbers, else the first line. Throws std::runtime_error naming file and
-/// line.
+/// Reads a whitespace- or comma-separated file of numbers with the post-processor's reader
+/// (reading/table.h). Throws DataError, a std::runtime_error, naming file and line.
 Table read_table(const std::filesystem::path& file);
 
-/// Reads frame number `frame` (0 the first, -1 the last) of a LIGGGHTS text dump, with the columns
-/// that its ITEM: ATOMS or ITEM: ENTRIES line names. Throws std::runtime_error naming file and
-/// line.
+/// Reads frame number `frame` (0 the first, -1 the last) of a LIGGGHTS text dump with the
+/// post-processor's reader (reading/dump.h). Throws a std::runtime_error naming file and line.
 Table read_dump(const std::filesystem::path& file, int frame = -1);
 
 /// Order p of a method whose error falls from `error_coarse` to `error_fine` when its step is

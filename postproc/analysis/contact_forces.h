@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_ANALYSIS_CONTACT_FORCES_H
+#define RODPACK_ANALYSIS_CONTACT_FORCES_H
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reading/dump.h"
+
+namespace rodpack {
+
+struct ContactForceOptions {
+  double bin_width = 0.25;         // of the force distributions, in mean forces
+  bool walls_too = false;          // contacts with walls count as well
+  std::optional<double> friction;  // coefficient mu; none: no mobilised friction
+};
+
+/// Distribution of one component of the force, scaled by its mean. One entry per bin.
+struct ForceDistribution {
+  double mean = 0;                     // N
+  std::vector<double> count;           // contacts in the bin
+  std::vector<double> density;         // of f / mean; integrates to 1, 0 if all forces are 0
+  std::vector<double> standard_error;  // binomial, of the density
+};
+
+/// f_t / (mu f_n), at most 1: the law caps the elastic part only, so that a dashpot may carry it
+/// beyond. One entry per bin, the last one with what slides.
+struct MobilisedFriction {
+  double coefficient = 0;  // mu
+  double mean = 0;
+  double sliding_fraction = 0;         // of the contacts, at least 0.999 mobilised
+  std::vector<double> centre;          // of the bins
+  std::vector<double> count;           // contacts in the bin
+  std::vector<double> density;         // integrates to 1
+  std::vector<double> standard_error;  // binomial, of the density
+};
+
+/// Who touches whom, forces aside: contacts that carry nothing count too. Means over all particles.
+struct Coordination {
+  std::size_t particles = 0;         // all frames together
+  bool all_particles_known = false;  // false: no dump of bodies, those without contact are missed
+  double touching_particles = 0;     // mean number of different particles that one touches
+  double contacts = 0;               // mean number of sphere contacts of a particle
+  std::optional<std::size_t> rattlers;          // particles without contact, with a wall neither
+  std::vector<double> number;                   // 0, 1, 2, ...
+  std::vector<double> with_touching_particles;  // particles that touch so many others
+  std::vector<double> with_contacts;            // particles that have so many sphere contacts
+};
+
+struct ContactForces {
+  std::size_t carrying = 0;             // contacts with a normal force, those that are measured
+  std::size_t not_carrying = 0;         // contacts without
+  std::size_t at_walls = 0;             // left out: contacts with a wall; 0 if they count
+  std::vector<double> force_over_mean;  // middle of the bin, common to both components
+  ForceDistribution normal, tangential;
+  std::optional<MobilisedFriction> friction;  // none without mu
+  Coordination coordination;
+};
+
+/// Collects the contacts of one or several frames of the contacts' dump (columns `body_i body_j
+/// wall fx fy fz nx ny nz`). f_n = f n is the normal force, f_t = |f - f_n n| the tangential one,
+/// both of single sphere contacts.
+class ContactForceSample {
+ public:
+  /// @throws DataError when the bin's width or the friction coefficient is not positive.
+  explicit ContactForceSample(const ContactForceOptions& options);
+  /// `bodies`: the frame of the bodies' dump with all particles (column `id`), if there is one.
+  /// @throws DataError when a column is missing, n is not a unit vector, `bodies` is of another
+  ///   timestep or lacks a particle; TooFewParticles when there are no contacts.
+  void add(const Frame& contacts, const Frame* bodies = nullptr);
+  /// @throws TooFewParticles when no contact carries a force.
+  ContactForces result() const;
+
+ private:
+  struct Neighbours;
+  void add_forces(const Frame& contacts);
+  void add_coordination(const Frame& contacts, const Frame* bodies);
+
+  ContactForceOptions options_;
+  std::vector<double> normal_, tangential_;  // N, carrying contacts
+  std::size_t not_carrying_ = 0, at_walls_ = 0;
+  std::map<std::size_t, double> with_touching_, with_contacts_;  // particles by number
+  std::size_t particles_ = 0, rattlers_ = 0;
+  bool all_particles_known_ = true;
+};
+
+/// Measures one frame. @throws as ContactForceSample.
+ContactForces measure_contact_forces(const Frame& contacts, const Frame* bodies,
+                                     const ContactForceOptions& options);
+
+/// Returns mu: `given`, else `friction` of parameters.json (at `parameters`, or looked for beside
+/// the dump and one folder up); none if that is missing or 0. @throws DataError when it is
+/// negative.
+std::optional<double> find_friction(const std::string& dump, const std::string& parameters,
+                                    std::optional<double> given);
+
+/// Writes CSV tables: `stem`.csv with the columns f_over_mean, then count, density and standard
+/// error of the normal and of the tangential force; `stem`_friction.csv if mu is known;
+/// `stem`_coordination.csv.
+void write_contact_force_tables(const ContactForces& forces, const std::string& stem);
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "reading/angles.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
+#include "rodpack/vtk/field_image.h"
+
+namespace rodpack {
+namespace {
+
+std::string where(const Frame& frame) {
+  return frame.file + ":" + std::to_string(frame.header_line);
+}
+
+Vector vector_at(const Frame& frame, const std::array<const char*, 3>& columns, std::size_t row) {
+  return {{frame.column(columns[0])[row], frame.column(columns[1])[row],
+           frame.column(columns[2])[row]}};
+}
+
+Grid field_grid(const Packing& packing, const FieldOptions& options) {
+  const double scale = averaging_scale(packing, options);
+  const auto& walls = packing.walls;
+  const auto window = options.window.value_or(
+      std::array<double, 4>{walls.left, walls.right, walls.floor, packing.surface + scale});
+  if (window[0] > walls.right || window[1] < walls.left || window[3] < walls.floor)
+    throw DataError("window: x " + number_text(window[0]) + " ... " + number_text(window[1]) +
+                    " m, y " + number_text(window[2]) + " ... " + number_text(window[3]) +
+                    " m is outside the container (" + walls.source + ")");
+  try {
+    return filling_grid(2, {{window[0], window[2], 0}}, {{window[1], window[3], 0}},
+                        options.spacing.value_or(scale / 4));
+  } catch (const std::invalid_argument& reason) {
+    throw DataError(reason.what());
+  }
+}
+
+}  // namespace
+
+double averaging_scale(const Packing& packing, const FieldOptions& options) {
+  const double diameters = options.scale_in_diameters.value_or(3 * packing.aspect_ratio);
+  const double scale = options.scale.value_or(diameters * packing.particle_diameter);
+  if (!(scale > 0)) throw DataError("scale: expected a length > 0, found " + number_text(scale));
+  return scale;
+}
+
+std::vector<Contact> read_contacts(const Frame& frame) {
+  const auto& i = frame.column("body_i");
+  const auto& j = frame.column("body_j");
+  const auto& wall = frame.column("wall");
+  std::vector<Contact> contacts;
+  for (std::size_t row = 0; row < frame.rows; ++row)
+    contacts.push_back({static_cast<long>(i[row]), static_cast<long>(j[row]), wall[row] != 0,
+                        vector_at(frame, {"x", "y", "z"}, row),
+                        vector_at(frame, {"fx", "fy", "fz"}, row),
+                        vector_at(frame, {"bix", "biy", "biz"}, row),
+                        vector_at(frame, {"bjx", "bjy", "bjz"}, row)});
+  return contacts;
+}
+
+AveragingKernel averaging_kernel(const Packing& packing, const FieldOptions& options) {
+  return {kernel_shape(options.kernel), 2, averaging_scale(packing, options),
+          gaussian_cutoff(options.tolerance, 2)};
+}
+
+CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptions& options) {
+  CoarseGrainingOptions averaging;
+  averaging.line = LineRule::named(options.line, options.tolerance);
+  averaging.couple_stress = options.couple_stress;
+  if (!packing.walls.sides) averaging.period[0] = packing.walls.width();
+  return averaging;
+}
+
+std::vector<Particle> read_particles(const Frame& bodies, const std::vector<TouchingPair>& pairs) {
+  std::unordered_map<long, Touching> touching;
+  for (const auto& pair : pairs)
+    for (const long body : {pair.i, pair.j}) {
+      ++touching[body].particles;
+      touching[body].contacts += pair.contacts;
+    }
+  const auto& id = bodies.column("id");
+  const auto& area = bodies.column("area");
+  const auto& mass = bodies.column("mass");
+  std::vector<Particle> particles;
+  for (std::size_t row = 0; row < bodies.rows; ++row)
+    particles.push_back({vector_at(bodies, {"x", "y", "z"}, row),
+                         vector_at(bodies, {"vx", "vy", "vz"}, row), mass[row], area[row],
+                         touching[static_cast<long>(id[row])]});
+  return particles;
+}
+
+void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts) {
+  ContactPairs pairs;
+  if (contacts) {
+    if (contacts->timestep != bodies.timestep)
+      throw DataError(where(*contacts) + ": contacts of timestep " +
+                      std::to_string(contacts->timestep) + ", expected " +
+                      std::to_string(bodies.timestep) + " as in " + bodies.file);
+    const auto read = read_contacts(*contacts);
+    std::unordered_set<long> known;
+    for (const double id : bodies.column("id")) known.insert(static_cast<long>(id));
+    for (const auto& contact : read)
+      for (const long body : {contact.i, contact.wall ? contact.i : contact.j})
+        if (!known.count(body))
+          throw DataError(where(*contacts) + ": particle " + std::to_string(body) +
+                          " of a contact is not in " + bodies.file);
+    pairs = sum_pairs(read);
+  }
+  for (const auto& interaction : pairs.interactions) averages.add(interaction);
+  for (const auto& particle : read_particles(bodies, pairs.pairs)) averages.add(particle);
+}
+
+void FieldSample::add(const Packing& packing, const Frame& bodies, const Frame* contacts) {
+  if (!averages_)
+    averages_ = std::make_unique<CoarseGraining>(averaging_kernel(packing, options_),
+                                                 field_grid(packing, options_),
+                                                 averaging_options(packing, options_));
+  add_frame(*averages_, bodies, contacts);
+  ++frames_;
+}
+
+const CoarseGraining& FieldSample::averages() const {
+  if (!averages_) throw TooFewParticles("no frame to average");
+  return *averages_;
+}
+
+const Field& field_named(const std::vector<Field>& fields, const std::string& name) {
+  const auto found = std::find_if(fields.begin(), fields.end(),
+                                  [&](const Field& field) { return field.name == name; });
+  if (found == fields.end()) throw std::out_of_range("no field " + name);
+  return *found;
+}
+
+PrincipalStress principal_stress(double xx, double xy, double yx, double yy) {
+  const double mean = 0.5 * (xx + yy);
+  const double shear = 0.5 * (xy + yx);
+  const double radius = std::hypot(0.5 * (xx - yy), shear);
+  double direction = 0.5 * std::atan2(2 * shear, xx - yy) * 180 / pi;
+  if (direction < 0) direction += 180;
+  return {mean + radius, mean - radius, direction};
+}
+
+void write_fields(const CoarseGraining& averages, const std::vector<Field>& fields, double time_s,
+                  const std::string& stem) {
+  write_text(stem + ".csv", csv_text(averages, fields));
+  if (!write_field_image(*averages.grid(), fields, time_s, stem + ".vti"))
+    throw DataError(stem + ".vti: cannot be written");
+}
+
+}  // namespace rodpack

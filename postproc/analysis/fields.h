@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_ANALYSIS_FIELDS_H
+#define RODPACK_ANALYSIS_FIELDS_H
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reading/packing.h"
+#include "rodpack/averaging/coarse_graining.h"
+
+namespace rodpack {
+
+struct FieldOptions {
+  std::optional<double> scale;                  // w, m; none: see the next
+  std::optional<double> scale_in_diameters;     // w / d_p; none: 3 AR
+  std::optional<double> spacing;                // of the grid, m; none: w/4
+  std::optional<std::array<double, 4>> window;  // xlo, xhi, ylo, yhi of the grid, m; none: the bed
+  std::string kernel = "gaussian";
+  std::string line = "auto";
+  double tolerance = 1e-6;
+  bool couple_stress = false;
+};
+
+/// Returns the scale w of the averaging, m. @throws DataError when it is not positive.
+double averaging_scale(const Packing& packing, const FieldOptions& options);
+
+/// Reads the rows of a contacts dump (body_i body_j wall x y z fx fy fz bix biy biz bjx bjy bjz).
+/// @throws DataError when a column is missing.
+std::vector<Contact> read_contacts(const Frame& contacts);
+
+/// Reads the rows of a bodies dump (id x y z vx vy vz area mass); how many others each touches from
+/// `pairs`.
+std::vector<Particle> read_particles(const Frame& bodies, const std::vector<TouchingPair>& pairs);
+
+/// Choose kernel, line rule and periods for a two-dimensional packing.
+AveragingKernel averaging_kernel(const Packing& packing, const FieldOptions& options);
+CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptions& options);
+
+/// Adds the particles of a bodies frame and, unless null, the contacts of the same timestep to the
+/// sums.
+/// @throws DataError when a column is missing, the timesteps differ, or a contact names a particle
+/// that is not among the bodies.
+void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts);
+
+/// Fields on the grid of FieldOptions, averaged over the frames that were added; the walls, the
+/// surface and so the default grid are those of the first one.
+class FieldSample {
+ public:
+  explicit FieldSample(FieldOptions options) : options_(std::move(options)) {}
+  /// @throws DataError as add_frame(), and for a grid that is empty or lies beside the packing.
+  void add(const Packing& packing, const Frame& bodies, const Frame* contacts);
+  /// @throws TooFewParticles when no frame was added.
+  const CoarseGraining& averages() const;
+  std::vector<Field> fields() const { return averages().fields(frames_); }
+
+ private:
+  FieldOptions options_;
+  std::unique_ptr<CoarseGraining> averages_;
+  int frames_ = 0;
+};
+
+/// Finds the field of that name. @throws std::out_of_range when there is none.
+const Field& field_named(const std::vector<Field>& fields, const std::string& name);
+
+/// Principal values of the symmetric part of a plane stress, and the direction of the larger one.
+struct PrincipalStress {
+  double larger, smaller;  // N/m
+  double direction;        // of the larger one, degrees in [0, 180) from the x axis
+};
+/// Computes them from the components, N/m.
+PrincipalStress principal_stress(double xx, double xy, double yx, double yy);
+
+/// Writes `stem`.csv and `stem`.vti; `time_s`: s. @throws DataError when one cannot be written.
+void write_fields(const CoarseGraining& averages, const std::vector<Field>& fields, double time_s,
+                  const std::string& stem);
+
+}  // namespace rodpack
+
+#endif

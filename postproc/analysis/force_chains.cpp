@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/force_chains.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+namespace rodpack {
+namespace {
+
+// The smaller id first (a wall has 0), then the wall's normal in hundredths, 0 between particles.
+using Pair = std::tuple<double, double, std::array<long, 3>>;
+
+struct PairSum {
+  std::array<double, 4> ends{};   // x1 y1 x2 y2 of the first contact, m
+  std::array<double, 3> force{};  // on the body of the smaller id, or on the one at the wall, N
+  // Sums over the branches from i to j, weighted by the magnitude of the force: at a wall they end
+  // in several points, and a rod across a periodic border may appear in two images.
+  double weight = 0, x = 0, y = 0;
+};
+
+}  // namespace
+
+std::vector<ForceLine> force_lines(const Frame& contacts) {
+  if (contacts.rows == 0)
+    throw TooFewParticles(contacts.file + ":" + std::to_string(contacts.header_line) +
+                          ": no contacts in the frame of timestep " +
+                          std::to_string(contacts.timestep));
+  const auto& body_i = contacts.column("body_i");
+  const auto& body_j = contacts.column("body_j");
+  const auto& wall = contacts.column("wall");
+  const auto f = vector_columns(contacts, {"fx", "fy", "fz"});
+  const auto n = vector_columns(contacts, {"nx", "ny", "nz"});
+  const std::array<const std::vector<double>*, 4> ends{
+      &contacts.column("bix"), &contacts.column("biy"), &contacts.column("bjx"),
+      &contacts.column("bjy")};
+
+  std::map<Pair, PairSum> pairs;
+  for (std::size_t i = 0; i < contacts.rows; ++i) {
+    const bool at_wall = wall[i] != 0;
+    std::array<long, 3> normal{};
+    if (at_wall)
+      for (std::size_t c = 0; c < 3; ++c) normal[c] = std::lround(100 * (*n[c])[i]);
+    const double other = at_wall ? 0 : body_j[i];
+    const double smaller = std::min(body_i[i], other);
+    const double larger = std::max(body_i[i], other);
+    auto& pair = pairs[{smaller, larger, normal}];
+    const double sign = at_wall || body_i[i] == smaller ? 1 : -1;
+    double squared = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double force = (*f[c])[i];
+      pair.force[c] += sign * force;
+      squared += force * force;
+    }
+    if (pair.weight == 0)
+      for (std::size_t e = 0; e < 4; ++e) pair.ends[e] = (*ends[e])[i];
+    const double weight = std::sqrt(squared);
+    pair.weight += weight;
+    pair.x += weight * ((*ends[2])[i] - (*ends[0])[i]);
+    pair.y += weight * ((*ends[3])[i] - (*ends[1])[i]);
+  }
+
+  std::vector<ForceLine> lines;
+  for (const auto& [key, pair] : pairs) {
+    const auto& e = pair.ends;
+    const auto& f = pair.force;
+    ForceLine line{e[0], e[1], e[2], e[3], std::hypot(f[0], f[1], f[2])};
+    if (std::get<0>(key) == 0 && pair.weight > 0) {
+      line.x2 = line.x1 + pair.x / pair.weight;
+      line.y2 = line.y1 + pair.y / pair.weight;
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace rodpack

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/orientation.h"
+
+#include <cmath>
+#include <complex>
+
+#include "reading/angles.h"
+#include "reading/csv_file.h"
+
+namespace rodpack {
+namespace {
+
+// Folds a value into [0, period); a value a rounding error below 0 becomes 0, not the period.
+double folded(double value, double period) {
+  const double rest = value - period * std::floor(value / period);
+  return rest < period ? rest : 0;
+}
+}  // namespace
+
+double gamma_degrees(double angle, bool curved) {
+  return folded(angle / degree, curved ? 360 : 180);
+}
+
+NematicOrder nematic_order(const std::vector<double>& gamma) {
+  if (gamma.empty()) throw TooFewParticles("no particle to take the nematic order of");
+  std::complex<double> sum = 0;
+  for (const double each : gamma) sum += std::polar(1.0, 2 * each * degree);
+  const double n = static_cast<double>(gamma.size());
+  const double order = std::abs(sum) / n;
+  const double director = std::arg(sum) / 2;
+  double variance = 0;
+  for (const double each : gamma) {
+    const double deviation = std::cos(2 * (each * degree - director)) - order;
+    variance += deviation * deviation / n;
+  }
+  return {order, std::sqrt(variance / n), folded(director / degree, 180)};
+}
+
+void OrientationSample::add(const Packing& packing) {
+  const auto& walls = packing.walls;
+  const double margin = packing.axial_length();
+  for (std::size_t i = 0; i < packing.size(); ++i) {
+    if (!packing.elongated[i]) {
+      ++spheres_;
+      continue;
+    }
+    const bool near_side =
+        walls.sides && (packing.x[i] - walls.left < margin || walls.right - packing.x[i] < margin);
+    const bool near_floor = walls.bottom && packing.y[i] - walls.floor < margin;
+    if (near_side || near_floor) {
+      ++near_walls_;
+      continue;
+    }
+    const bool curved = packing.curvature[i] > 0;
+    if (curved_.value_or(curved) != curved)
+      throw DataError(
+          "straight and curved particles are mixed: their gamma have different ranges (180 and 360 "
+          "degrees); dump them into files of their own");
+    curved_ = curved;
+    gamma_.push_back(gamma_degrees(packing.angle[i], curved));
+  }
+}
+
+OrientationDistribution OrientationSample::distribution(int bins) const {
+  if (gamma_.empty())
+    throw TooFewParticles("no particle to take the orientation of: " + std::to_string(spheres_) +
+                          " spheres have no axis, " + std::to_string(near_walls_) +
+                          " particles are closer than AR d_p to a wall");
+  OrientationDistribution result;
+  result.curved = *curved_;
+  result.range = result.curved ? 360 : 180;
+  result.particles = gamma_.size();
+  result.near_walls = near_walls_;
+  result.spheres = spheres_;
+  result.nematic = nematic_order(gamma_);
+
+  const double width = result.range / bins;
+  const double n = static_cast<double>(gamma_.size());
+  result.count.assign(static_cast<std::size_t>(bins), 0);
+  for (const double gamma : gamma_) {
+    const auto bin = static_cast<std::size_t>(gamma / width);
+    result.count[std::min(bin, result.count.size() - 1)] += 1;
+  }
+  for (std::size_t k = 0; k < result.count.size(); ++k) {
+    const double p = result.count[k] / n;
+    result.centre.push_back((static_cast<double>(k) + 0.5) * width);
+    result.density.push_back(p / width);
+    result.standard_error.push_back(std::sqrt(p * (1 - p) / n) / width);
+  }
+  return result;
+}
+
+void write_orientation_table(const OrientationDistribution& distribution, const std::string& file) {
+  write_csv(file, {{"gamma_deg", distribution.centre},
+                   {"count", distribution.count},
+                   {"probability_density_per_deg", distribution.density},
+                   {"standard_error_per_deg", distribution.standard_error}});
+}
+
+}  // namespace rodpack

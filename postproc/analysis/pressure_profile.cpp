@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/pressure_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reading/csv_file.h"
+
+namespace rodpack {
+namespace {
+constexpr int slice_columns = 8;  // midpoints across the slice, far closer than w
+}
+
+void ProfileSample::add(const Packing& packing, const Frame& bodies, const Frame& contacts) {
+  if (!averages_) {
+    packing_ = packing;
+    const auto& walls = packing.walls;
+    const double height = packing.surface - walls.floor;
+    if (!(height > 0)) throw TooFewParticles("profile: there is no bed above the floor");
+    const double width = 2 * packing.axial_length();
+    const double column = width / slice_columns;
+    const double left = (walls.left + walls.right - width + column) / 2;
+    Grid grid =
+        filling_grid(2, {{left, walls.floor, 0}}, {{left + width - column, packing.surface, 0}},
+                     options_.spacing.value_or(averaging_scale(packing, options_) / 4));
+    grid.count[0] = slice_columns;
+    grid.spacing[0] = column;
+    averages_ = std::make_unique<CoarseGraining>(averaging_kernel(packing, options_), grid,
+                                                 averaging_options(packing, options_));
+  }
+  add_frame(*averages_, bodies, &contacts);
+  ++frames_;
+}
+
+PressureProfile ProfileSample::result() const {
+  if (!averages_) throw TooFewParticles("profile: no frame to average");
+  const auto fields = averages_->fields(frames_);
+  const Grid& grid = *averages_->grid();
+  const auto rows = static_cast<std::size_t>(grid.count[1]);
+  // From the top down, the mean over the slice.
+  const auto mean = [&](const std::vector<double>& values) {
+    std::vector<double> result;
+    for (std::size_t row = rows; row-- > 0;) {
+      double sum = 0;
+      for (std::size_t i = 0; i < slice_columns; ++i) sum += values[row * slice_columns + i];
+      result.push_back(sum / slice_columns);
+    }
+    return result;
+  };
+  PressureProfile profile;
+  profile.particle_diameter = packing_.particle_diameter;
+  profile.scale = averages_->kernel().scale();
+  profile.depth_of_floor = packing_.surface - packing_.walls.floor;
+  for (std::size_t row = rows; row-- > 0;)
+    profile.depth.push_back(packing_.surface - grid.place(row * slice_columns)[1]);
+  const auto& stress = field_named(fields, "contact_stress").values;
+  profile.xx = mean(stress[0]);
+  profile.xy = mean(stress[1]);
+  profile.yx = mean(stress[2]);
+  profile.yy = mean(stress[3]);
+  profile.solid_fraction = mean(field_named(fields, "solid_fraction").values[0]);
+  for (std::size_t k = 0; k < rows; ++k) {
+    profile.principal.push_back(
+        principal_stress(profile.xx[k], profile.xy[k], profile.yx[k], profile.yy[k]));
+    profile.pressure.push_back(0.5 * (profile.xx[k] + profile.yy[k]));
+  }
+  return profile;
+}
+
+void write_profile_table(const PressureProfile& profile, const std::string& file) {
+  std::vector<double> depth, larger, smaller, direction, anisotropy;
+  for (std::size_t k = 0; k < profile.depth.size(); ++k) {
+    const auto& principal = profile.principal[k];
+    depth.push_back(profile.depth[k] / profile.particle_diameter);
+    larger.push_back(principal.larger);
+    smaller.push_back(principal.smaller);
+    direction.push_back(principal.direction);
+    const double sum = principal.larger + principal.smaller;
+    anisotropy.push_back(sum > 0 ? (principal.larger - principal.smaller) / sum : 0);
+  }
+  write_csv(file, {{"h_over_dp", depth},
+                   {"pressure_N_m", profile.pressure},
+                   {"stress_xx_N_m", profile.xx},
+                   {"stress_xy_N_m", profile.xy},
+                   {"stress_yx_N_m", profile.yx},
+                   {"stress_yy_N_m", profile.yy},
+                   {"sigma_1_N_m", larger},
+                   {"sigma_2_N_m", smaller},
+                   {"sigma_1_direction_deg", direction},
+                   {"anisotropy", anisotropy},
+                   {"solid_fraction", profile.solid_fraction}});
+}
+
+}  // namespace rodpack

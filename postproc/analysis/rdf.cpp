@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/rdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nanoflann.hpp>
+
+#include "reading/csv_file.h"
+#include "reading/number_text.h"
+
+namespace rodpack {
+namespace {
+
+// The view of the points that nanoflann asks for.
+struct Points {
+  std::vector<double> x, y;
+  std::vector<bool> is_centre, is_original;  // not original: a periodic image
+  std::size_t kdtree_get_point_count() const { return x.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return axis == 0 ? x[i] : y[i]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+
+  /// Places of the centres, each once.
+  std::vector<std::size_t> centres() const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (is_centre[i] && is_original[i]) result.push_back(i);
+    return result;
+  }
+};
+
+struct Rectangle {
+  double left, right, bottom, top;
+  bool contains(double x, double y) const {
+    return x >= left && x <= right && y >= bottom && y <= top;
+  }
+  double area() const { return (right - left) * (top - bottom); }
+};
+
+// The bed without a strip along its walls and its surface. A periodic direction has no strip.
+Rectangle inset_bed(const Packing& packing, double strip) {
+  const auto& walls = packing.walls;
+  const double side = walls.sides ? strip : 0;
+  return {walls.left + side, walls.right - side, walls.floor + (walls.bottom ? strip : 0),
+          packing.surface - strip};
+}
+
+// Area of the part of a disc around (x, y) that lies in the rectangle; the centre may be outside.
+double disc_area_inside(const Rectangle& box, double x, double y, double r) {
+  const auto signed_quarter = [r](double a, double b) {
+    return std::copysign(1.0, a) * std::copysign(1.0, b) *
+           quarter_disc_area(r, std::abs(a), std::abs(b));
+  };
+  const double left = box.left - x, right = box.right - x;
+  const double bottom = box.bottom - y, top = box.top - y;
+  return signed_quarter(right, top) - signed_quarter(left, top) - signed_quarter(right, bottom) +
+         signed_quarter(left, bottom);
+}
+
+// Particles inside the window, where neighbours count; those inside the region are centres. In a
+// packing that is periodic in x with the images that a centre can see within `reach`.
+Points points_inside(const Packing& packing, const Rectangle& window, const Rectangle& region,
+                     double reach) {
+  const auto& walls = packing.walls;
+  Points points;
+  for (std::size_t i = 0; i < packing.size(); ++i) {
+    if (!window.contains(packing.x[i], packing.y[i])) continue;
+    const bool is_centre = region.contains(packing.x[i], packing.y[i]);
+    const auto add_point = [&](double x, bool is_original) {
+      points.x.push_back(x);
+      points.y.push_back(packing.y[i]);
+      points.is_centre.push_back(is_centre);
+      points.is_original.push_back(is_original);
+    };
+    add_point(packing.x[i], true);
+    if (!walls.sides) {
+      if (packing.x[i] < walls.left + reach) add_point(packing.x[i] + walls.width(), false);
+      if (packing.x[i] > walls.right - reach) add_point(packing.x[i] - walls.width(), false);
+    }
+  }
+  return points;
+}
+
+// Areas of the parts inside `box` of the rings around (x, y), one per bin.
+std::vector<double> ring_areas(const Rectangle& box, double x, double y, double bin,
+                               std::size_t bins) {
+  std::vector<double> areas(bins);
+  double inner = 0;
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double outer = disc_area_inside(box, x, y, static_cast<double>(k + 1) * bin);
+    areas[k] = outer - inner;
+    inner = outer;
+  }
+  return areas;
+}
+
+// Pairs of a centre and a neighbour, one number per bin; adds their variance to `variance`.
+std::vector<double> count_pairs(const Points& points, const std::vector<std::size_t>& centres,
+                                double bin, std::vector<double>& variance) {
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
+                                                   Points, 2, std::size_t>;
+  const Tree tree(2, points, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  const nanoflann::SearchParams any_order(32, 0.F, false);
+  const auto bins = variance.size();
+  const double reach = bin * static_cast<double>(bins);
+  std::vector<double> pairs(bins, 0);
+  std::vector<std::pair<std::size_t, double>> found;
+  for (const auto i : centres) {
+    const double at[2] = {points.x[i], points.y[i]};
+    tree.radiusSearch(at, reach * reach, found, any_order);
+    for (const auto& [j, squared] : found) {
+      const auto k = static_cast<std::size_t>(std::sqrt(squared) / bin);
+      if (j == i || k >= bins) continue;
+      pairs[k] += 1;
+      variance[k] += points.is_centre[j] ? 2 : 1;
+    }
+  }
+  return pairs;
+}
+
+// Relative variance of G from the scatter of rho, one number per bin. rho comes from the region,
+// the neighbours also from around it. A particle at x changes G by the fraction h(x) / (rings of
+// all centres) - [x is a centre] / (number of centres), where h(x) is the area of the ring around x
+// inside the region; independent particles add up in quadrature.
+std::vector<double> density_spread(const Points& points, std::size_t centres,
+                                   const Rectangle& region, const std::vector<double>& rings,
+                                   double bin) {
+  std::vector<double> spread(rings.size(), 0);
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    if (!points.is_original[i]) continue;
+    const auto areas = ring_areas(region, points.x[i], points.y[i], bin, rings.size());
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      const double weight = (rings[k] > 0 ? areas[k] / rings[k] : 0) -
+                            (points.is_centre[i] ? 1 / static_cast<double>(centres) : 0);
+      spread[k] += weight * weight;
+    }
+  }
+  return spread;
+}
+
+}  // namespace
+
+double quarter_disc_area(double r, double a, double b) {
+  if (a <= 0 || b <= 0) return 0;
+  if (a * a + b * b <= r * r) return a * b;
+  a = std::min(a, r);
+  b = std::min(b, r);
+  // Flat part b up to where the circle comes below it, then the integral of sqrt(r^2 - x^2).
+  const double start = std::sqrt((r - b) * (r + b));
+  const auto primitive = [r](double x) {
+    return 0.5 * (x * std::sqrt((r - x) * (r + x)) + r * r * std::asin(x / r));
+  };
+  return b * start + primitive(a) - primitive(start);
+}
+
+RdfSample::RdfSample(const RdfOptions& options) : options_(options) {
+  const auto bins =
+      static_cast<std::size_t>(std::ceil(options.largest_distance / options.bin_width - 1e-9));
+  pairs_.assign(bins, 0);
+  variance_.assign(bins, 0);
+  density_variance_.assign(bins, 0);
+  expected_.assign(bins, 0);
+}
+
+double RdfSample::margin_of(const Packing& packing) {
+  const auto& walls = packing.walls;
+  if (options_.margin >= 0) return options_.margin * packing.particle_diameter;
+  const double margin = (10 + packing.aspect_ratio) * packing.particle_diameter;
+  double extent = packing.surface - walls.floor;
+  if (walls.sides) extent = std::min(extent, walls.width());
+  if (!(margin > extent / 3)) return margin;
+  margin_reduced_ = true;
+  return extent / 3;
+}
+
+void RdfSample::add(const Packing& packing) {
+  const double d = packing.particle_diameter;
+  const auto& walls = packing.walls;
+  const double bin = options_.bin_width * d;
+  const double reach = bin * static_cast<double>(pairs_.size());
+  if (!walls.sides && reach > walls.width() / 2)
+    throw DataError("the largest distance, " + number_text(reach / d, 4) +
+                    " d_p, exceeds half of the period in x, " +
+                    number_text(walls.width() / 2 / d, 4) + " d_p");
+
+  const double margin = margin_of(packing);
+  Rectangle region = inset_bed(packing, margin);
+  Rectangle window = inset_bed(packing, std::min(packing.axial_length(), margin));
+  const Points points = points_inside(packing, window, region, reach);
+  const auto centres = points.centres();
+  if (centres.size() < 2 || region.right <= region.left || region.top <= region.bottom)
+    throw TooFewParticles("RDF: fewer than 2 particles lie further than " +
+                          number_text(margin / d, 4) +
+                          " d_p from the walls and from the surface of the bed, which is " +
+                          number_text(walls.width() / d, 4) + " d_p wide and " +
+                          number_text((packing.surface - walls.floor) / d, 4) + " d_p high");
+  const double region_area = region.area();
+  const double density = static_cast<double>(centres.size()) / region_area;
+  if (!walls.sides)  // endless in x
+    for (auto* rectangle : {&region, &window}) {
+      rectangle->left -= 2 * reach;
+      rectangle->right += 2 * reach;
+    }
+
+  const auto bins = pairs_.size();
+  const auto pairs = count_pairs(points, centres, bin, variance_);
+  std::vector<double> rings(bins, 0);
+  for (const auto i : centres) {
+    const auto areas = ring_areas(window, points.x[i], points.y[i], bin, bins);
+    for (std::size_t k = 0; k < bins; ++k) rings[k] += areas[k];
+  }
+  const auto spread = density_spread(points, centres.size(), region, rings, bin);
+  for (std::size_t k = 0; k < bins; ++k) {
+    pairs_[k] += pairs[k];
+    expected_[k] += density * rings[k];
+    density_variance_[k] += pairs[k] * pairs[k] * spread[k];
+  }
+  centres_ += centres.size();
+  region_area_ += region_area;
+  margin_ = margin_ < 0 ? margin / d : std::min(margin_, margin / d);
+}
+
+Rdf RdfSample::result() const {
+  Rdf rdf;
+  rdf.centres = centres_;
+  rdf.density = static_cast<double>(centres_) / region_area_;
+  rdf.margin = margin_;
+  rdf.margin_reduced = margin_reduced_;
+  rdf.pairs = pairs_;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    rdf.r.push_back((static_cast<double>(k) + 0.5) * options_.bin_width);
+    const bool seen = expected_[k] > 0;
+    rdf.g.push_back(seen ? pairs_[k] / expected_[k] : 0);
+    rdf.standard_error.push_back(
+        seen ? std::sqrt(variance_[k] + density_variance_[k]) / expected_[k] : 0);
+  }
+  // The deviation of the density is common to all bins, so its standard errors add up.
+  double pairs = 0, variance = 0, density_error = 0, expected = 0;
+  for (std::size_t k = pairs_.size() - (pairs_.size() + 3) / 4; k < pairs_.size(); ++k) {
+    pairs += pairs_[k];
+    variance += variance_[k];
+    density_error += std::sqrt(density_variance_[k]);
+    expected += expected_[k];
+  }
+  rdf.tail_g = expected > 0 ? pairs / expected : 0;
+  rdf.tail_standard_error =
+      expected > 0 ? std::sqrt(variance + density_error * density_error) / expected : 0;
+  return rdf;
+}
+
+void write_rdf_table(const Rdf& rdf, const std::string& file) {
+  write_csv(file, {{"r_over_dp", rdf.r},
+                   {"g", rdf.g},
+                   {"standard_error", rdf.standard_error},
+                   {"pairs", rdf.pairs}});
+}
+
+}  // namespace rodpack

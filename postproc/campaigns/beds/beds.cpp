@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "campaigns/beds/beds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "campaigns/accuracy/accuracy_folder.h"
+#include "reading/csv_file.h"
+#include "reading/data_error.h"
+#include "reading/number_text.h"
+
+namespace rodpack {
+namespace {
+
+/// Columns of beds.csv that hold one number of the row each.
+const struct {
+  const char* name;
+  double BedRow::*value;
+} measures[] = {{"kinetic_J", &BedRow::kinetic},
+                {"elastic_J", &BedRow::elastic},
+                {"carried_weight_ratio", &BedRow::carried_weight},
+                {"mean_height_over_dp", &BedRow::height},
+                {"solid_fraction", &BedRow::solid_fraction},
+                {"S2_horizontal", &BedRow::order},
+                {"neighbours_per_rod", &BedRow::neighbours},
+                {"contacts_per_rod", &BedRow::contacts},
+                {"mean_overlap_over_dp", &BedRow::overlap},
+                {"mean_pair_force_N", &BedRow::mean_force},
+                {"largest_pair_force_N", &BedRow::largest_force},
+                {"step_over_limit", &BedRow::step_over_limit}};
+
+std::string header() {
+  std::vector<std::string> names = {"method", "timestep_s", "overlap", "normal_stiffness_N_m",
+                                    "planar", "seed",       "rods"};
+  for (const auto& measure : measures) names.emplace_back(measure.name);
+  names.insert(names.end(), {"steps", "processor_s_per_step"});
+  return csv_line(names);
+}
+
+// Time steps that are compared, s, from the stability limit of velocity Verlet down to half the
+// paper's.
+const double steps[] = {6.6e-5, 4.4e-5, 3.3e-5, 2.75e-5, 2.2e-5, 1.65e-5, 1.1e-5, 0.55e-5};
+
+bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b); }
+
+}  // namespace
+
+bool BedModel::operator==(const BedModel& other) const {
+  return method == other.method && planar == other.planar && engine == other.engine &&
+         close(step, other.step) && close(overlap, other.overlap) &&
+         close(stiffness, other.stiffness);
+}
+
+bool BedRow::at_rest(int expected_rods) const {
+  return rods == expected_rods && kinetic <= 1e-5 * elastic &&
+         std::fabs(carried_weight - 1) <= 0.01;
+}
+
+namespace {
+
+std::vector<BedComparison> all_comparisons(const std::vector<std::string>& methods) {
+  const BedModel paper;
+  std::vector<BedComparison> all;
+
+  BedComparison surface{"surface", "How many primary spheres does a rod need?", {}};
+  // The more spheres lie side by side, the stiffer two rods on each other: they need shorter steps.
+  for (const auto& [overlap, step] : {std::pair(0.0, paper_step),
+                                      {0.5, paper_step},
+                                      {0.75, 0.75 * paper_step},
+                                      {0.875, 0.375 * paper_step}}) {
+    surface.models.push_back(paper);
+    surface.models.back().overlap = overlap;
+    surface.models.back().step = step;
+  }
+  all.push_back(surface);
+
+  BedComparison planar{"planar", "Does a planar bed need the motion in the plane only?", {}};
+  for (const auto& [method, flag] :
+       {std::pair("builtin", false), {"ab3e", false}, {"ab3e", true}}) {
+    planar.models.push_back(paper);
+    planar.models.back().method = method;
+    planar.models.back().planar = flag;
+  }
+  all.push_back(planar);
+
+  BedComparison engine{"engine", "Does the planar engine give the same beds?", {paper, paper}};
+  engine.models.front().engine = true;
+  all.push_back(engine);
+
+  BedComparison stiffness{"stiffness", "Which stiffness, and what does a softer spring save?", {}};
+  for (const double k : {1000.0, 2000.0, 4000.0})
+    for (const bool scaled : {false, true}) {
+      if (scaled && k == paper.stiffness) continue;
+      stiffness.models.push_back(paper);
+      stiffness.models.back().stiffness = k;
+      if (scaled) stiffness.models.back().step = paper_step * std::sqrt(paper.stiffness / k);
+    }
+  all.push_back(stiffness);
+
+  for (const auto& method : methods) {
+    BedComparison step{"step_" + method, "How far can the step of " + method + " grow?", {}};
+    for (const double dt : steps) {
+      step.models.push_back(paper);
+      step.models.back().method = method;
+      step.models.back().step = dt;
+      step.models.back().planar = method != "builtin";
+    }
+    all.push_back(step);
+  }
+  return all;
+}
+
+/// Returns what column `planar` says.
+std::string motion_text(const BedModel& model) {
+  return model.engine ? "engine" : model.planar ? "yes" : "no";
+}
+
+}  // namespace
+
+std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
+                                           const std::vector<std::string>& only) {
+  const auto all = all_comparisons(methods);
+  if (only.empty()) return all;
+  std::vector<BedComparison> chosen;
+  for (const auto& name : only) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const BedComparison& c) { return c.name == name; });
+    if (found == all.end()) {
+      std::string names;
+      for (const auto& comparison : all) names += " " + comparison.name;
+      throw DataError("--comparisons: '" + name + "', expected one of" + names);
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+std::string bed_row_text(const BedRow& row) {
+  const auto& m = row.model;
+  std::vector<std::string> fields = {
+      m.method,       number_text(m.step),      number_text(m.overlap),  number_text(m.stiffness),
+      motion_text(m), std::to_string(row.seed), std::to_string(row.rods)};
+  for (const auto& measure : measures) fields.push_back(number_text(row.*measure.value));
+  fields.push_back(number_text(static_cast<double>(row.steps)));
+  fields.push_back(number_text(row.seconds_per_step));
+  return csv_line(fields);
+}
+
+std::vector<BedRow> read_bed_rows(const std::string& file) {
+  const Table table = resume_table(file, header());
+  const auto &method = table.words("method"), &motion = table.words("planar");
+  const auto &step = table.column("timestep_s"), &overlap = table.column("overlap"),
+             &stiffness = table.column("normal_stiffness_N_m"),
+             &seconds_per_step = table.column("processor_s_per_step");
+  const auto seed = table.whole_numbers("seed"), rods = table.whole_numbers("rods"),
+             steps_taken = table.whole_numbers("steps");
+  std::vector<BedRow> rows(table.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (motion[i] != "yes" && motion[i] != "no" && motion[i] != "engine")
+      table.refuse(i, "planar", "yes, no or engine");
+    rows[i].model = {method[i],    step[i],           overlap[i],
+                     stiffness[i], motion[i] != "no", motion[i] == "engine"};
+    rows[i].seed = static_cast<int>(seed[i]);
+    rows[i].rods = static_cast<int>(rods[i]);
+    rows[i].steps = steps_taken[i];
+    rows[i].seconds_per_step = seconds_per_step[i];
+  }
+  for (const auto& measure : measures) {
+    const auto& values = table.column(measure.name);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*measure.value = values[i];
+  }
+  return rows;
+}
+
+}  // namespace rodpack

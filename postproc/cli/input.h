@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_CLI_INPUT_H
+#define RODPACK_CLI_INPUT_H
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reading/dump.h"
+#include "reading/packing.h"
+
+namespace rodpack::cli {
+
+/// Dumps to read, common to the measuring subcommands.
+struct Input {
+  std::vector<std::string> patterns;
+  bool all_frames = false;
+  PackingOptions packing;
+
+  /// Calls `visit` with the last frame, or with every frame if the user asks for all.
+  void for_frames(const std::function<void(const Frame&)>& visit) const;
+};
+
+/// Adds the dump files of `kind` ("bodies") as arguments without a name.
+void add_files(CLI::App& command, Input& input, const std::string& kind);
+/// Adds --all-frames.
+void add_all_frames(CLI::App& command, Input& input);
+/// Adds --walls, --dp, --ar and --parameters.
+void add_packing_options(CLI::App& command, Input& input);
+/// Adds --output, the start of the names of the files to write.
+void add_output(CLI::App& command, std::string& stem);
+
+/// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal.
+std::string describe(const Packing& packing);
+
+}  // namespace rodpack::cli
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "figures/figure.h"
+
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "reading/dump.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
+
+namespace rodpack {
+namespace {
+
+// Writes a gnuplot string in single quotes, where a quote is written twice.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+void run_gnuplot(const std::string& script) {
+  std::FILE* pipe = popen("gnuplot", "w");
+  if (!pipe) throw DataError("gnuplot cannot be started");
+  const bool sent = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
+  const int status = pclose(pipe);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    throw DataError("gnuplot was not found: install gnuplot-nox");
+  if (status != 0 || !sent) throw DataError("gnuplot failed to draw a figure");
+}
+
+// SVG readers may drop the spaces around a change of font, as before the italic symbol in
+// "distance r", unless the file says that they count.
+void keep_spaces(const std::string& svg) {
+  std::string text = read_text(svg);
+  const std::string root = "<svg ";
+  const auto at = text.find(root);
+  if (at == std::string::npos) throw DataError(svg + ": gnuplot wrote no SVG");
+  write_text(svg, text.insert(at + root.size(), "xml:space=\"preserve\" "));
+}
+
+}  // namespace
+
+std::string datablock(const std::string& name, const std::vector<std::vector<double>>& columns) {
+  std::string text = "$" + name + " << EOD\n";
+  for (std::size_t row = 0; row < columns.front().size(); ++row)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      text += number_text(columns[c][row]) + (c + 1 < columns.size() ? ' ' : '\n');
+  return text + "EOD\n";
+}
+
+void draw_figure(const std::string& stem, double aspect, const std::string& commands) {
+  const auto size = [aspect](double width) {
+    return number_text(width) + "," + number_text(std::round(width / aspect));
+  };
+  const std::string style =
+      "set encoding utf8\n"
+      "set border 15 linewidth 1.2 linecolor '#202020'\n"
+      "set tics scale 0.8 front\n"
+      "set mxtics 2\nset mytics 2\n"
+      "set style fill solid 1 noborder\n"
+      "set key noautotitle samplen 1.8 spacing 1.2\n";
+  for (const std::string suffix : {".png", ".svg"}) {
+    // Removed first, so that a file that exists afterwards is a new one.
+    std::error_code ignored;
+    std::filesystem::remove(stem + suffix, ignored);
+    const std::string terminal =
+        suffix == ".png"
+            ? "pngcairo size " + size(1600) + " font 'DejaVu Sans,34' linewidth 3 enhanced\n"
+            : "svg size " + size(640) + " font 'DejaVu Sans,14' linewidth 1.2 enhanced\n";
+    run_gnuplot("set terminal " + terminal + "set output " + quoted(stem + suffix) + "\n" + style +
+                commands);
+    if (!std::filesystem::exists(stem + suffix) || std::filesystem::file_size(stem + suffix) == 0)
+      throw DataError(stem + suffix + ": cannot be written");
+  }
+  keep_spaces(stem + ".svg");
+}
+
+}  // namespace rodpack

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "figures/vtk_export.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "reading/number_text.h"
+#include "reading/text_file.h"
+#include "rodpack/dumps/columns.h"
+
+namespace rodpack {
+namespace {
+
+struct VectorArray {
+  const char* name;
+  std::array<const char*, 3> columns;
+};
+constexpr VectorArray vectors[] = {
+    {"velocity_m_s", {"vx", "vy", "vz"}},
+    {"angular_velocity_rad_s", {"omegax", "omegay", "omegaz"}},
+    {"contact_force_N", {"fx", "fy", "fz"}},
+    {"contact_normal", {"nx", "ny", "nz"}},
+};
+
+// The column of this name in our dumps, which has a unit or holds integers; null if it is none.
+const DumpColumn* known_column(const std::string& name) {
+  static const auto known = [] {
+    std::map<std::string, DumpColumn> table;
+    const auto add = [&](const auto& columns) {
+      for (const DumpColumn& column : columns)
+        if (column.is_integer || *column.unit) table.emplace(column.name, column);
+    };
+    add(body_dump::columns);
+    add(sphere_dump::columns);
+    add(contact_dump::columns);
+    return table;
+  }();
+  const auto found = known.find(name);
+  return found == known.end() ? nullptr : &found->second;
+}
+
+// "radius_m", "vx_m_s"; the name itself where there is no unit.
+std::string name_with_unit(const DumpColumn& column) {
+  std::string unit = column.unit;
+  std::replace(unit.begin(), unit.end(), '/', '_');
+  return unit.empty() ? column.name : column.name + ("_" + unit);
+}
+
+vtkSmartPointer<vtkDataArray> scalar_array(const Frame& frame, const std::string& column) {
+  const auto& values = frame.column(column);
+  const auto fill = [&](auto array, const std::string& name) -> vtkSmartPointer<vtkDataArray> {
+    array->SetName(name.c_str());
+    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      array->SetComponent(static_cast<vtkIdType>(i), 0, values[i]);
+    return array;
+  };
+  const DumpColumn* const known = known_column(column);
+  if (known && known->is_integer) return fill(vtkSmartPointer<vtkTypeInt64Array>::New(), column);
+  return fill(vtkSmartPointer<vtkDoubleArray>::New(), known ? name_with_unit(*known) : column);
+}
+
+vtkSmartPointer<vtkDoubleArray> vector_array(const Frame& frame, const std::string& name,
+                                             const std::array<const char*, 3>& columns) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(frame.rows));
+  for (int c = 0; c < 3; ++c) {
+    const auto& values = frame.column(columns[static_cast<std::size_t>(c)]);
+    for (std::size_t i = 0; i < frame.rows; ++i)
+      array->SetComponent(static_cast<vtkIdType>(i), c, values[i]);
+  }
+  return array;
+}
+
+}  // namespace
+
+DumpKind kind_of(const Frame& frame) {
+  if (frame.has("body_i")) return DumpKind::contacts;
+  if (frame.has("body")) return DumpKind::spheres;
+  if (frame.has("half_length")) return DumpKind::bodies;
+  throw DataError(
+      frame.file + ":" + std::to_string(frame.header_line) +
+      ": expected a dump of bodies (column 'half_length'), spheres ('body') or contacts "
+      "('body_i')");
+}
+
+std::string kind_name(DumpKind kind) {
+  return kind == DumpKind::bodies ? "bodies" : kind == DumpKind::spheres ? "spheres" : "contacts";
+}
+
+void write_vtp(const Frame& frame, DumpKind kind, const std::string& file) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  std::set<std::string> used;
+  const bool lines = kind == DumpKind::contacts;
+  const auto rows = static_cast<vtkIdType>(frame.rows);
+  if (lines) {
+    for (const auto& ends :
+         {std::array<const char*, 3>{"bix", "biy", "biz"}, {"bjx", "bjy", "bjz"}}) {
+      const auto array = vector_array(frame, "", ends);
+      for (vtkIdType i = 0; i < rows; ++i) points->InsertNextPoint(array->GetTuple(i));
+      used.insert(ends.begin(), ends.end());
+    }
+    for (vtkIdType i = 0; i < rows; ++i) {
+      const vtkIdType ends[2] = {i, rows + i};
+      cells->InsertNextCell(2, ends);
+    }
+    data->SetLines(cells);
+  } else {
+    const auto array = vector_array(frame, "", {"x", "y", "z"});
+    used = {"x", "y", "z"};
+    for (vtkIdType i = 0; i < rows; ++i) {
+      points->InsertNextPoint(array->GetTuple(i));
+      cells->InsertNextCell(1, &i);
+    }
+    data->SetVerts(cells);
+  }
+  data->SetPoints(points);
+
+  // One value per row: on the points of bodies and spheres, on the lines of contacts.
+  vtkDataSetAttributes* attributes = data->GetPointData();
+  if (lines) attributes = data->GetCellData();
+  if (lines) {
+    attributes->AddArray(vector_array(frame, "contact_point_m", {"x", "y", "z"}));
+    used.insert({"x", "y", "z"});
+  }
+  for (const auto& [name, columns] : vectors)
+    if (std::all_of(columns.begin(), columns.end(), [&](auto each) { return frame.has(each); })) {
+      attributes->AddArray(vector_array(frame, name, columns));
+      used.insert(columns.begin(), columns.end());
+    }
+  for (std::size_t c = 0; c < frame.names.size(); ++c) {
+    const auto& name = frame.names[c];
+    // A column of text that we do not know is left out; a bad number in one that we know throws.
+    if (!used.count(name) && (known_column(name) || frame.bad_fields[c].line == 0))
+      attributes->AddArray(scalar_array(frame, name));
+  }
+
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(data);
+  if (writer->Write() != 1) throw DataError(file + ": cannot be written");
+}
+
+std::vector<std::string> export_vtk(const std::vector<std::string>& files,
+                                    const std::string& folder, double timestep_s) {
+  std::vector<std::string> written;
+  std::map<DumpKind, std::map<long, std::string>> index;
+  for_each_frame(files, [&](const Frame& frame) {
+    const auto kind = kind_of(frame);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");
+    const auto name = kind_name(kind) + "." + std::to_string(frame.timestep) + ".vtp";
+    const auto path = (std::filesystem::path(folder) / name).string();
+    write_vtp(frame, kind, path);
+    written.push_back(path);
+    index[kind][frame.timestep] = name;
+  });
+  for (const auto& [kind, frames] : index) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (const auto& [timestep, name] : frames) {
+      const double time = timestep_s > 0 ? static_cast<double>(timestep) * timestep_s
+                                         : static_cast<double>(timestep);
+      text +=
+          "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
+    }
+    const auto path = (std::filesystem::path(folder) / (kind_name(kind) + ".pvd")).string();
+    write_text(path, text + "</Collection>\n</VTKFile>\n");
+    written.push_back(path);
+  }
+  return written;
+}
+
+}  // namespace rodpack

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_READING_ANGLES_H
+#define RODPACK_READING_ANGLES_H
+
+namespace rodpack {
+
+constexpr double pi = 3.14159265358979323846;
+/// One degree, rad: angles are radians in dumps, degrees in tables and figures.
+constexpr double degree = pi / 180;
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "reading/packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "reading/number_text.h"
+
+namespace rodpack {
+namespace {
+
+double positive(double value, const std::string& what) {
+  if (!(value > 0))
+    throw DataError(what + ": expected a positive value, found " + number_text(value));
+  return value;
+}
+
+}  // namespace
+
+Walls find_walls(const Frame& frame, const PackingOptions& options,
+                 const std::optional<RunParameters>& parameters) {
+  Walls walls;
+  walls.sides = !frame.periodic[0];
+  walls.bottom = !frame.periodic[1];
+  if (!options.walls.empty()) {
+    walls.left = options.walls.at(0);
+    walls.right = options.walls.at(1);
+    walls.floor = options.walls.at(2);
+    walls.source = "--walls";
+  } else if (parameters && parameters->values.contains("container_width_m")) {
+    walls.right = parameters->number("container_width_m");
+    walls.source = parameters->file;
+  } else {
+    walls.left = frame.bounds[0][0];
+    walls.right = frame.bounds[0][1];
+    walls.floor = frame.bounds[1][0];
+    walls.source = "box bounds of " + frame.file;
+  }
+  if (!(walls.right > walls.left))
+    throw DataError(walls.source + ": expected the right wall beyond the left one, found " +
+                    number_text(walls.left) + " and " + number_text(walls.right));
+  return walls;
+}
+
+Packing read_packing(const Frame& frame, const PackingOptions& options) {
+  const auto where = frame.file + ":" + std::to_string(frame.header_line);
+  if (frame.rows == 0)
+    throw DataError(where + ": the frame of timestep " + std::to_string(frame.timestep) +
+                    " holds no particles");
+  const auto parameters = find_parameters(frame.file, options.parameters);
+  Packing packing;
+  packing.timestep = frame.timestep;
+  packing.x = frame.column("x");
+  packing.y = frame.column("y");
+  packing.angle = frame.column("angle");
+  packing.curvature = frame.column("curvature");
+  packing.area = frame.column("area");
+  for (const double count : frame.column("nspheres")) packing.elongated.push_back(count > 1);
+  packing.walls = find_walls(frame, options, parameters);
+
+  const auto& radius = frame.column("radius");
+  const auto& half_length = frame.column("half_length");
+  const auto from_parameters = [&](const char* key) -> std::optional<double> {
+    if (parameters && parameters->values.contains(key)) return parameters->number(key);
+    return std::nullopt;
+  };
+  const auto first_of = [](std::optional<double> a, std::optional<double> b, double c) {
+    return a ? *a : b.value_or(c);
+  };
+  const double mean_diameter =
+      2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(frame.rows);
+  packing.particle_diameter = positive(
+      first_of(options.particle_diameter, from_parameters("particle_diameter_m"), mean_diameter),
+      where + ": particle diameter");
+  const double longest = 2 * *std::max_element(half_length.begin(), half_length.end());
+  packing.aspect_ratio = positive(first_of(options.aspect_ratio, from_parameters("aspect_ratio"),
+                                           longest / packing.particle_diameter),
+                                  where + ": aspect ratio");
+  const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
+  packing.surface =
+      bed_surface(packing.y, packing.area, packing.walls.floor, packing.walls.width(), layer);
+  return packing;
+}
+
+double sphere_diameter(const Frame& spheres, const PackingOptions& options) {
+  if (options.particle_diameter) return *options.particle_diameter;
+  const auto parameters = find_parameters(spheres.file, options.parameters);
+  if (parameters && parameters->values.contains("particle_diameter_m"))
+    return parameters->number("particle_diameter_m");
+  const auto& radius = spheres.column("radius");
+  return 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(spheres.rows);
+}
+
+double bed_surface(const std::vector<double>& y, const std::vector<double>& area, double floor,
+                   double width, double layer) {
+  const double top = *std::max_element(y.begin(), y.end());
+  const auto layers =
+      static_cast<std::size_t>(std::max(0.0, std::floor((top - floor) / layer))) + 1;
+  std::vector<double> fraction(layers + 1, 0.0);  // the last one stays empty
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const double index = std::max(0.0, std::floor((y[i] - floor) / layer));
+    fraction[static_cast<std::size_t>(index)] += area[i] / (layer * width);
+  }
+
+  // Median over the covered area, so that thinly filled layers above the bed carry no weight.
+  auto sorted = fraction;
+  std::sort(sorted.begin(), sorted.end());
+  const double half = std::accumulate(sorted.begin(), sorted.end(), 0.0) / 2;
+  double sum = 0;
+  double bulk = 0;
+  for (auto value = sorted.begin(); value != sorted.end() && sum <= half; ++value) {
+    bulk = *value;
+    sum += bulk;
+  }
+
+  for (std::size_t k = layers; k-- > 0;)
+    if (fraction[k] >= bulk / 2) {
+      const double drop = fraction[k] - fraction[k + 1];
+      const double part = drop > 0 ? (fraction[k] - bulk / 2) / drop : 0;
+      return floor + (static_cast<double>(k) + 0.5 + part) * layer;
+    }
+  return top;
+}
+
+}  // namespace rodpack

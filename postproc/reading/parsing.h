@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_READING_PARSING_H
+#define RODPACK_READING_PARSING_H
+
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace rodpack {
+
+// What the readers of dumps and tables share; nobody else includes this.
+
+/// Takes the next blank-separated word off the front of `rest`; empty at the end.
+std::string_view take_word(std::string_view& rest);
+
+/// Reads all of `text` as one number into `value`. Returns false, and leaves `value` alone, when it
+/// is anything else; "inf" and "nan" are floating-point numbers.
+template <class Number>
+bool parse_number(std::string_view text, Number& value) {
+  const auto* end = text.data() + text.size();
+  Number parsed{};
+  const auto result = std::from_chars(text.data(), end, parsed);
+  if (result.ec != std::errc() || result.ptr != end) return false;
+  value = parsed;
+  return true;
+}
+
+bool starts_with(std::string_view text, std::string_view start);
+
+/// `text` cut off after 60 characters, for error messages.
+std::string shortened(std::string_view text);
+
+/// Place of `name` among the names of columns. `where`: file and line of the names.
+/// @throws DataError naming the column and those there are.
+std::size_t column_index(const std::vector<std::string>& names, const std::string& name,
+                         const std::string& where);
+
+}  // namespace rodpack
+
+#endif

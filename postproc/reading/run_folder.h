@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_READING_RUN_FOLDER_H
+#define RODPACK_READING_RUN_FOLDER_H
+
+#include <string>
+#include <vector>
+
+namespace rodpack {
+
+/// Dumps `run`/dumps/`kind`.*.dump, plain or .gz, in order of time. A run that was resumed may end
+/// earlier than the one that was interrupted had come: dumps after the step that `run`/result.json
+/// names as its end are of a course that the run did not take, and are left out.
+/// @throws DataError when there are none, or result.json names no step.
+std::vector<std::string> dumps_of_run(const std::string& run, const std::string& kind);
+
+}  // namespace rodpack
+
+#endif

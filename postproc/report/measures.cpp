@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/measures.h"
+
+#include "analysis/energies.h"
+#include "analysis/fields.h"
+#include "analysis/force_chains.h"
+#include "analysis/janssen_fit.h"
+#include "analysis/orientation.h"
+#include "analysis/pressure_profile.h"
+#include "analysis/rdf.h"
+#include "analysis/solid_fraction.h"
+#include "figures/contact_forces_figure.h"
+#include "figures/energies_figure.h"
+#include "figures/field_maps.h"
+#include "figures/force_chains_figure.h"
+#include "figures/orientation_figure.h"
+#include "figures/profile_figure.h"
+#include "figures/rdf_figure.h"
+#include "figures/solid_fraction_figure.h"
+#include "reading/number_text.h"
+#include "reading/run_folder.h"
+
+namespace rodpack {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void report_orientation(const Packing& packing, const fs::path& out, Json& summary) {
+  OrientationSample sample;
+  sample.add(packing);
+  // Few particles in narrow bins would show their noise only.
+  const auto distribution = sample.distribution(packing.size() < 1000 ? 18 : 36);
+  write_orientation_table(distribution, (out / "orientation.csv").string());
+  plot_orientation_linear(distribution, (out / "orientation").string());
+  plot_orientation_polar(distribution, (out / "orientation_polar").string());
+  summary["orientation_particles"] = distribution.particles;
+  summary["orientation_left_out_closer_than_AR_dp_to_walls"] = distribution.near_walls;
+  summary["nematic_order_S2"] = distribution.nematic.order;
+  summary["nematic_order_S2_standard_error"] = distribution.nematic.standard_error;
+  summary["director_deg"] = distribution.nematic.director;
+}
+
+void report_rdf(const Packing& packing, const fs::path& out, Json& summary) {
+  RdfSample sample({});
+  sample.add(packing);
+  const auto rdf = sample.result();
+  write_rdf_table(rdf, (out / "rdf.csv").string());
+  plot_rdf(rdf, (out / "rdf").string());
+  summary["rdf_centres"] = rdf.centres;
+  summary["rdf_margin_over_dp"] = rdf.margin;
+  if (rdf.tail_standard_error > 0) {
+    summary["rdf_tail_mean"] = rdf.tail_g;
+    summary["rdf_tail_standard_error"] = rdf.tail_standard_error;
+  } else {
+    summary["rdf_tail_mean"] = nullptr;
+    summary["notes"].push_back("RDF: no pair of particles in the last quarter of r");
+  }
+  if (rdf.margin_reduced)
+    summary["notes"].push_back(
+        "RDF: the bed is too small for centres (10 + AR) d_p away from walls "
+        "and surface; a margin of " +
+        number_text(rdf.margin, 3) + " d_p was used");
+}
+
+void report_solid_fraction(const Packing& packing, const fs::path& out, Json& summary) {
+  const auto field = solid_fraction(packing);
+  const double d = packing.particle_diameter;
+  summary["omega_m"] = field.scale;
+  const auto mean = [&](const std::string& key, const std::optional<double>& value) {
+    if (value)
+      summary[key] = *value;
+    else
+      summary[key] = nullptr;
+  };
+  mean("solid_fraction_from_3_omega_above_floor_to_surface", field.up_to_surface);
+  mean("solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
+       field.up_to_3_scales_below);
+  summary["covered_area_over_area_below_surface"] = field.covered_below_surface;
+  if (!field.up_to_3_scales_below)
+    summary["notes"].push_back("solid fraction: the bed, " +
+                               number_text((packing.surface - packing.walls.floor) / d, 3) +
+                               " d_p high, is too low for the averaging heights (omega = " +
+                               number_text(field.scale / d, 3) + " d_p)");
+  if (!field.side_distance_kept)
+    summary["notes"].push_back(
+        "solid fraction: the side walls are closer than 3 omega to the central slice");
+  if (!field.up_to_surface) return;  // nothing but the kernel's tails: no figure
+  write_solid_fraction_table(field, d, (out / "solid_fraction.csv").string());
+  plot_solid_fraction(field, d, packing.walls.floor, (out / "solid_fraction").string());
+}
+
+ContactReport read_contact_report(const std::string& run, const Frame& bodies,
+                                  const std::string& parameters) {
+  ContactReport report;
+  try {
+    report.files = dumps_of_run(run, "contacts");
+  } catch (const DataError& reason) {
+    report.note = reason.what();
+    return report;
+  }
+  try {
+    auto& frame = report.frame;
+    frame = frame_at(report.files, bodies.timestep);
+    if (frame.rows > 0 && !frame.has("nx")) {
+      report.note = frame.file + ":" + std::to_string(frame.header_line) +
+                    ": no column 'nx', which dumps of earlier versions lack: forces are left out";
+      return report;
+    }
+    ContactForceOptions options;
+    options.friction = find_friction(frame.file, parameters, {});
+    force_lines(frame);  // bad columns show before anything is written
+    report.forces = measure_contact_forces(frame, &bodies, options);
+  } catch (const NoSuchFrame& reason) {
+    report.note = reason.what();
+  } catch (const TooFewParticles& reason) {
+    report.note = reason.what();
+  }
+  return report;
+}
+
+void report_contacts(const ContactReport& contacts, const PackingOptions& options,
+                     const fs::path& out, Json& summary) {
+  if (!contacts.note.empty()) summary["notes"].push_back("contacts: " + contacts.note);
+  if (!contacts.forces) return;
+  const auto& forces = *contacts.forces;
+  const auto stem = (out / "forces").string();
+  write_contact_force_tables(forces, stem);
+  plot_contact_forces(forces, stem);
+  draw_force_chains(contacts.frame, options, stem + "_chains");
+  summary["mean_normal_force_N"] = forces.normal.mean;
+  summary["mean_tangential_force_N"] = forces.tangential.mean;
+  if (forces.friction) {
+    summary["mobilised_friction_mean"] = forces.friction->mean;
+    summary["sliding_fraction"] = forces.friction->sliding_fraction;
+  } else {
+    summary["mobilised_friction_mean"] = nullptr;
+    summary["sliding_fraction"] = nullptr;
+    summary["notes"].push_back(
+        "contacts: no positive friction in parameters.json, so that the "
+        "mobilised friction is left out");
+  }
+  summary["coordination_number"] = forces.coordination.touching_particles;
+  summary["contacts_per_particle"] = forces.coordination.contacts;
+  summary["rattlers"] = *forces.coordination.rattlers;
+}
+
+void report_fields(const Packing& packing, const Frame& bodies, const Frame* contacts, double time,
+                   const fs::path& out, Json& summary) {
+  FieldSample sample({});
+  sample.add(packing, bodies, contacts);
+  const auto fields = sample.fields();
+  write_fields(sample.averages(), fields, time, (out / "fields").string());
+  plot_solid_fraction_map(sample.averages(), fields, packing,
+                          (out / "solid_fraction_map").string());
+  if (!contacts) return;
+  plot_pressure_map(sample.averages(), fields, packing, (out / "pressure_map").string());
+
+  ProfileSample slice({});
+  slice.add(packing, bodies, *contacts);
+  const auto profile = slice.result();
+  write_profile_table(profile, (out / "profile").string() + ".csv");
+  std::optional<JanssenFit> fit;
+  try {
+    fit = fit_janssen(profile);
+    if (!fit->saturates)
+      summary["notes"].push_back("Janssen fit: " + describe(*fit, packing.particle_diameter));
+  } catch (const TooFewParticles& reason) {
+    summary["notes"].push_back(reason.what());
+  }
+  plot_profile(profile, fit ? &*fit : nullptr, (out / "profile").string());
+  const bool saturates = fit && fit->saturates;
+  const auto set = [&](const char* key, double JanssenFit::*value, double unit) {
+    if (saturates)
+      summary[key] = (*fit).*value / unit;
+    else
+      summary[key] = nullptr;
+  };
+  const double d = packing.particle_diameter;
+  set("janssen_pressure_N_m", &JanssenFit::pressure, 1);
+  set("janssen_pressure_standard_error_N_m", &JanssenFit::pressure_error, 1);
+  set("janssen_depth_over_dp", &JanssenFit::depth, d);
+  set("janssen_depth_standard_error_over_dp", &JanssenFit::depth_error, d);
+  set("janssen_rms_residual_N_m", &JanssenFit::rms_residual, 1);
+}
+
+void report_energies(const fs::path& run, const fs::path& out, Json& summary) {
+  const auto file = (run / "energies.csv").string();
+  if (!fs::exists(file)) {
+    summary["notes"].push_back("energies: no energies.csv in the run folder");
+    return;
+  }
+  const EnergyHistory energies = read_energies(file);
+  summary["kinetic_energy_J"] = energies.kinetic.back();
+  summary["elastic_energy_J"] = energies.elastic.back();
+  plot_energies(energies, file, (out / "energies").string());
+}
+
+}  // namespace rodpack

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_REPORT_MEASURES_H
+#define RODPACK_REPORT_MEASURES_H
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/contact_forces.h"
+#include "reading/dump.h"
+#include "reading/packing.h"
+
+namespace rodpack {
+
+// The parts of analyse_run(), the only one that includes this. Each writes the table and the
+// figures of one measure into the folder `out` and its numbers into `summary`, under keys that name
+// their units; what could not be measured goes into the summary's "notes".
+
+/// @throws TooFewParticles when no particle is left to measure, DataError when drawing fails, like
+/// all of these.
+void report_orientation(const Packing& packing, const std::filesystem::path& out,
+                        nlohmann::ordered_json& summary);
+void report_rdf(const Packing& packing, const std::filesystem::path& out,
+                nlohmann::ordered_json& summary);
+void report_solid_fraction(const Packing& packing, const std::filesystem::path& out,
+                           nlohmann::ordered_json& summary);
+
+/// The contacts of one timestep of a run and what they say, or why they say nothing.
+struct ContactReport {
+  std::vector<std::string> files;  // all contacts' dumps of the run
+  Frame frame;                     // that of the timestep; without rows where there is none
+  std::optional<ContactForces> forces;
+  std::string note;  // why there are no forces
+};
+/// Reads the contacts of the timestep of `bodies` and measures their forces. `parameters`: the
+/// run's parameters.json. @throws DataError when a column is missing or malformed.
+ContactReport read_contact_report(const std::string& run, const Frame& bodies,
+                                  const std::string& parameters);
+
+void report_contacts(const ContactReport& contacts, const PackingOptions& options,
+                     const std::filesystem::path& out, nlohmann::ordered_json& summary);
+
+/// Maps of the fields and the profile of the pressure; without contacts (null) the densities alone.
+/// `time`: s, or the timestep where that is not known.
+void report_fields(const Packing& packing, const Frame& bodies, const Frame* contacts, double time,
+                   const std::filesystem::path& out, nlohmann::ordered_json& summary);
+
+/// From `run`/energies.csv, if there is one.
+void report_energies(const std::filesystem::path& run, const std::filesystem::path& out,
+                     nlohmann::ordered_json& summary);
+
+}  // namespace rodpack
+
+#endif
