@@ -51,67 +51,54 @@ inline double time_since_standstill(const double (&slip)[3], int known, double d
   return x >= 0.0 && x <= 1.0 ? x * dt : time_since_zero(slip[1], slip[0], dt);
 }
 
-}  // namespace detail
+inline void stuck_force(const FrictionStep& step, const double (&spring)[3], double (&force)[3]) {
+  for (int d = 0; d < 3; ++d)
+    force[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
+}
 
-/// The force and its change of branch; `spring` (m) comes as the integral of the velocity and
-/// leaves as the law wants it.
-inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3]) {
+/// By which the force of spring and dashpot was beyond the cap one step ago; `cap`: that of now.
+inline double excess_before(const FrictionStep& step, double cap) {
+  double before[3];
+  for (int d = 0; d < 3; ++d)
+    before[d] =
+        trial_force(step.stiffness, step.spring_before[d], step.damping, step.velocity[1][d]);
+  return std::sqrt(dot(before, before)) - (cap - step.dt * step.cap_rate);
+}
+
+/// The contact slides, or goes on to. `stuck`: the force if it did not, of magnitude `trial`.
+inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], double trial,
+                           double cap, double (&spring)[3]) {
   FrictionForce result = {};
-  double stuck[3], trial = 0.0;
-  for (int d = 0; d < 3; ++d)
-    stuck[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
-  trial = std::sqrt(dot(stuck, stuck));
-  const double cap = std::max(0.0, step.cap);
-  const auto stick = [&] {
-    for (int d = 0; d < 3; ++d)
-      result.force[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
-  };
-  // by which the force was beyond the cap one step ago
-  const auto excess_before = [&] {
-    double before[3];
-    for (int d = 0; d < 3; ++d)
-      before[d] =
-          trial_force(step.stiffness, step.spring_before[d], step.damping, step.velocity[1][d]);
-    return std::sqrt(dot(before, before)) - (cap - step.dt * step.cap_rate);
-  };
-  if (!step.slid && trial <= cap) {
-    stick();
-    return result;
+  result.slides = true;
+  for (int d = 0; d < 3; ++d) {
+    result.force[d] = trial > 0.0 ? cap / trial * stuck[d] : 0.0;
+    spring[d] = carrying_spring(result.force[d], step.stiffness);
   }
-
-  double direction[3], slip[3];  // of the force; velocity against which it acts, < 0 in a slide
-  const double* const reference = step.slid ? step.spring_before : stuck;
-  const double length = std::sqrt(dot(reference, reference));
-  for (int d = 0; d < 3; ++d)
-    direction[d] = length > 0.0 ? (step.slid ? -1.0 : 1.0) * reference[d] / length : 0.0;
-  for (int k = 0; k < 3; ++k) slip[k] = k < step.known ? dot(step.velocity[k], direction) : 0.0;
-
-  if (slip[0] < 0.0 || length == 0.0) {  // slides
-    result.slides = true;
-    for (int d = 0; d < 3; ++d) {
-      result.force[d] = trial > 0.0 ? cap / trial * stuck[d] : 0.0;
-      spring[d] = carrying_spring(result.force[d], step.stiffness);
-    }
-    if (step.slid) return result;
-    const double below = excess_before(), beyond = trial - cap;
-    result.changed = below < 0.0 && beyond > 0.0;
-    if (!result.changed) return result;
-    result.since = time_since_zero(below, beyond, step.dt);
-    for (int d = 0; d < 3; ++d) {
-      result.gain[d] = -beyond / trial * stuck[d];
-      result.gain_rate[d] = -(beyond - below) / step.dt / trial * stuck[d];
-    }
-    return result;
+  if (step.slid) return result;
+  const double below = excess_before(step, cap), beyond = trial - cap;
+  result.changed = below < 0.0 && beyond > 0.0;
+  if (!result.changed) return result;
+  result.since = time_since_zero(below, beyond, step.dt);
+  for (int d = 0; d < 3; ++d) {
+    result.gain[d] = -beyond / trial * stuck[d];
+    result.gain_rate[d] = -(beyond - below) / step.dt / trial * stuck[d];
   }
+  return result;
+}
 
-  // Sticks, with the spring that carried the cap at the moment of the change, and what the surfaces
-  // have moved since.
+/// The contact sticks, from a moment in this step on, with the spring that carried the cap then,
+/// and what the surfaces have moved since. `direction`: of the force before; `slip`: the velocities
+/// along it.
+inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], double trial,
+                           double cap, const double (&direction)[3], const double (&slip)[3],
+                           double (&spring)[3]) {
+  FrictionForce result = {};
   result.changed = true;
   const bool stands = step.slid && slip[1] < 0.0;
   if (stands) {
-    result.since = detail::time_since_standstill(slip, step.known, step.dt);
+    result.since = time_since_standstill(slip, step.known, step.dt);
   } else {
-    const double below = excess_before();
+    const double below = excess_before(step, cap);
     result.since = below < 0.0 ? time_since_zero(below, trial - cap, step.dt) : 0.0;
   }
   const double at_change = std::max(0.0, step.cap - result.since * step.cap_rate);
@@ -121,7 +108,7 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
     spring[d] = carrying_spring(at_change, step.stiffness) * direction[d] +
                 0.5 * result.since * (step.velocity[0][d] + then);
   }
-  stick();
+  stuck_force(step, spring, result.force);
   const double strength = std::sqrt(dot(result.force, result.force));
   if (strength > cap)
     for (int d = 0; d < 3; ++d) {
@@ -143,6 +130,31 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
   }
   result.jumps = !stands || across > 1e-9 * std::fabs(slip[0]);
   return result;
+}
+
+}  // namespace detail
+
+/// The force and its change of branch; `spring` (m) comes as the integral of the velocity and
+/// leaves as the law wants it.
+inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3]) {
+  double stuck[3];
+  detail::stuck_force(step, spring, stuck);
+  const double trial = std::sqrt(dot(stuck, stuck)), cap = std::max(0.0, step.cap);
+  if (!step.slid && trial <= cap) {
+    FrictionForce result = {};
+    std::copy(stuck, stuck + 3, result.force);
+    return result;
+  }
+
+  double direction[3], slip[3];  // of the force; velocity against which it acts, < 0 in a slide
+  const double* const reference = step.slid ? step.spring_before : stuck;
+  const double length = std::sqrt(dot(reference, reference));
+  for (int d = 0; d < 3; ++d)
+    direction[d] = length > 0.0 ? (step.slid ? -1.0 : 1.0) * reference[d] / length : 0.0;
+  for (int k = 0; k < 3; ++k) slip[k] = k < step.known ? dot(step.velocity[k], direction) : 0.0;
+  return slip[0] < 0.0 || length == 0.0
+             ? detail::slide(step, stuck, trial, cap, spring)
+             : detail::stick(step, stuck, trial, cap, direction, slip, spring);
 }
 
 }  // namespace rodpack
