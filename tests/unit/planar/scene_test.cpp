@@ -488,4 +488,28 @@ TEST(PlanarScene, RefusesValuesOutOfRange) {
   EXPECT_THAT(message(settings_of(), {body}), testing::HasSubstr("moment of inertia is 0.0"));
 }
 
+TEST(PlanarScene, RefusesContactsOfSpheresThatAreFarOrNotThere) {
+  PlanarSettings settings = box(5);
+  PlanarScene scene(settings, {rod(5, 0.02, 0.5 * diameter, 0), rod(5, 0.02, 0.03, 0)});
+  const auto message = [&](int body_i, int sphere_i, int body_j, int sphere_j) {
+    PlanarContactState contact = PlanarContactState();
+    contact.body_i = body_i;
+    contact.sphere_i = sphere_i;
+    contact.body_j = body_j;
+    contact.sphere_j = sphere_j;
+    try {
+      scene.set_contacts({contact});
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message(0, 3, -1, 0), "") << "on the floor";
+  EXPECT_THAT(message(0, 3, 1, 3), testing::HasSubstr("expected spheres that are close"));
+  EXPECT_THAT(message(0, 65536 + 3, -1, 0), testing::HasSubstr("sphere of a contact is 65539"));
+  EXPECT_THAT(message(0, 3, 1, -1), testing::HasSubstr("sphere of a contact is -1"));
+  EXPECT_THAT(message(2, 0, -1, 0), testing::HasSubstr("one of a body of the scene"));
+  EXPECT_THAT(message(0, 3, -4, 0), testing::HasSubstr("wall of a contact is 3"));
+}
+
 }  // namespace rodpack

@@ -72,6 +72,21 @@ void validate_tags(const std::vector<PlanarBody>& bodies) {
             "tags >= 0, each once");
 }
 
+bool has_sphere(const PlanarBodies& bodies, int body, int sphere) {
+  return body >= 0 && body < bodies.size() && sphere >= 0 && sphere < bodies.info(body).count;
+}
+
+void validate(const PlanarContactState& contact, const PlanarBodies& bodies, std::size_t walls) {
+  require(has_sphere(bodies, contact.body_i, contact.sphere_i), "sphere of a contact",
+          contact.sphere_i, "one of a body of the scene");
+  if (contact.body_j >= 0)
+    require(has_sphere(bodies, contact.body_j, contact.sphere_j), "sphere of a contact",
+            contact.sphere_j, "one of a body of the scene");
+  else
+    require(static_cast<std::size_t>(-1 - contact.body_j) < walls, "wall of a contact",
+            -1 - contact.body_j, "0 .. number of walls-1");
+}
+
 /// The state of a lane in which i and j change places if `swapped`; components along z x n stay.
 PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, int full_count) {
   PlanarLaneState state = PlanarLaneState();
@@ -251,6 +266,7 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
   Data& d = *data_;
   if (!d.neighbours.exist()) d.neighbours.list_all();
   for (const PlanarContactState& contact : contacts) {
+    validate(contact, d.bodies, d.settings.walls.size());
     const bool swapped =
         contact.body_j >= 0 && !d.bodies.comes_first(contact.body_i, contact.body_j);
     require(d.blocks.restore(lane_state_of(contact, swapped, d.forces.full_count())),

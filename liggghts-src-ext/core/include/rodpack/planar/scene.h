@@ -111,7 +111,7 @@ class PlanarScene {
   ~PlanarScene();
 
   /// Sets the contacts and their histories, for forces that were evaluated elsewhere; before the
-  /// first step. @throws std::invalid_argument for one whose spheres are not close.
+  /// first step. @throws std::invalid_argument for one whose spheres are not close or not there.
   void set_contacts(const std::vector<PlanarContactState>& contacts);
   std::vector<PlanarContactState> contacts() const;
 
