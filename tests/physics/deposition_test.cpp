@@ -10,6 +10,7 @@
 #include <string>
 
 #include "liggghts_run.h"
+#include "rodpack/version.h"
 
 using namespace rodpack::test;
 namespace fs = std::filesystem;
@@ -93,9 +94,13 @@ TEST(Deposition, SettlesToABedThatTheWallsCarry) {
   EXPECT_EQ(energies.column("particles").back(), 24);
   const std::string result = text_of(run.folder / "run/result.json");
   EXPECT_NE(result.find("\"crossed_pairs\": 0"), std::string::npos) << result;
+  const std::string by = std::string("\"rodpack\": {\"version\": \"") + rodpack::version() +
+                         "\", \"commit\": \"" + rodpack::commit() + "\"}";
+  EXPECT_NE(result.find(by), std::string::npos) << result;
   const std::string parameters = text_of(run.folder / "run/parameters.json");
   EXPECT_NE(parameters.find("\"aspect_ratio\": 5"), std::string::npos) << parameters;
   EXPECT_NE(parameters.find("\"timestep_s\": 1.1e-05"), std::string::npos) << parameters;
+  EXPECT_NE(parameters.find(by), std::string::npos) << parameters;
 }
 
 TEST(Deposition, SettlesSpheresCoarseAndCurvedParticlesAndWithTheBuiltInIntegrator) {
