@@ -15,8 +15,11 @@ case "${1:-}" in
     ;;
   tests)
     targets=all
+    # Anew where the folder was made for the programs alone.
     if ! grep -qsx 'RODPACK_TESTS:BOOL=ON' build/CMakeCache.txt || [ ! -f build/build.ninja ]; then
-      cmake -G Ninja -S . -B build -DRODPACK_TESTS=ON
+      werror=OFF
+      if g++ -dumpversion | grep -qx 12; then werror=ON; fi
+      cmake -G Ninja -S . -B build -DRODPACK_TESTS=ON -DRODPACK_WERROR=$werror
     fi
     ;;
   *)
