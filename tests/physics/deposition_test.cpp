@@ -24,8 +24,12 @@ constexpr double gravity = 9.81;
 
 /// 24 particles in a narrow container: a few seconds.
 Vars small(const Vars& changes = {}) {
-  Vars vars = {{"particles", "24"},          {"width_in_lengths", "5"}, {"particles_per_line", "4"},
-               {"container_height", "0.12"}, {"out", "run"},            {"relaxation_ratio", "1e-4"}};
+  Vars vars = {{"particles", "24"},
+               {"width_in_lengths", "5"},
+               {"particles_per_line", "4"},
+               {"container_height", "0.12"},
+               {"out", "run"},
+               {"relaxation_ratio", "1e-4"}};
   for (const auto& [name, value] : changes) vars[name] = value;
   return vars;
 }
@@ -125,8 +129,8 @@ TEST(Deposition, RunsOnTwoRanks) {
   }
 }
 
-// The paper's drop of 1.985 m: a rod of 0.25 g that lands on its end goes in by up to 3 mm, twice its
-// radius. The planes of wall/gran throw five rods of the first ten lines out.
+// The paper's drop of 1.985 m: a rod of 0.25 g that lands on its end goes in by up to 3 mm, twice
+// its radius. The planes of wall/gran throw five rods of the first ten lines out.
 TEST(Deposition, WhatFallsFromTheTopStaysInTheContainer) {
   const auto run = run_liggghts(
       deck,
@@ -146,8 +150,8 @@ TEST(Deposition, SeedsGiveOtherPackingsAndTheSameSeedTheSameOne) {
   EXPECT_NE(first, y({{"seed", "2"}}));
 }
 
-// The resumed run starts from a restart file in the middle of the landing and ends bit for bit where
-// the uninterrupted one does.
+// The resumed run starts from a restart file in the middle of the landing and ends bit for bit
+// where the uninterrupted one does.
 TEST(Deposition, ResumesExactly) {
   const auto whole = run_liggghts(deck, small({{"restart_interval", "0.1"}}));
   ASSERT_EQ(whole.exit_code, 0) << whole.output;

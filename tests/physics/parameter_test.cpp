@@ -100,8 +100,9 @@ TEST(ParameterCommand, ComparesWithTheParametersOfARun) {
   EXPECT_EQ(compare({{"particles", "12"}, {"timestep", "11e-6"}}).exit_code, 0);
   const auto other = compare({});
   EXPECT_NE(other.exit_code, 0);
-  EXPECT_NE(other.output.find("parameter 'particles': expected as in 'parameters.json', 12, got 9000"),
-            std::string::npos)
+  EXPECT_NE(
+      other.output.find("parameter 'particles': expected as in 'parameters.json', 12, got 9000"),
+      std::string::npos)
       << other.output;
 
   again.replace(again.find("parameters.json"), 15, "parameters.json except particles");
