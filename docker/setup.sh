@@ -1,14 +1,22 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Installs what packages.txt lists and this machine lacks; does nothing when all is there.
+# Installs what packages.txt lists and this machine lacks, and with the argument "tests" what
+# packages-tests.txt lists as well; does nothing when all is there.
 # RODPACK_SKIP_SETUP=1 skips it: for machines where the same software comes in another way.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-wanted=$(sed 's/#.*//' "$here/packages.txt")
+case "${1:-}" in
+  '') wanted=$(sed 's/#.*//' "$here/packages.txt") ;;
+  tests) wanted=$(sed 's/#.*//' "$here/packages.txt" "$here/packages-tests.txt") ;;
+  *)
+    echo "docker/setup.sh: no argument, or tests; not '$1'" >&2
+    exit 2
+    ;;
+esac
 
 if [ "${RODPACK_SKIP_SETUP:-0}" = 1 ]; then exit 0; fi
 if ! command -v apt-get > /dev/null || ! command -v dpkg-query > /dev/null; then
-  echo "docker/setup.sh: no apt on this machine: install the counterparts of docker/packages.txt" \
+  echo "docker/setup.sh: no apt on this machine: install the counterparts of docker/packages*.txt" \
     "and set RODPACK_SKIP_SETUP=1, or use docker/Dockerfile" >&2
   exit 1
 fi

@@ -30,8 +30,16 @@ if [ -e "$out/result.json" ] && [ -e "$out/arguments" ] && [ "$(cat "$out/argume
   exit 1
 fi
 
+echo "1/4 packages (a minute or two the first time)"
+docker/setup.sh
+echo "2/4 build of liggghts and rodpack (three to six minutes on two cores the first time)"
 docker/build.sh
 
+case $preset in
+  quick) takes="ten seconds" ;;
+  paper) takes="half an hour to one" ;;
+esac
+echo "3/4 run: $out ($takes; every line below is a report of its own)"
 if [ -e "$out/result.json" ]; then
   echo "$out is complete: not run again (delete it, or choose another with OUT=…)"
 else
@@ -65,6 +73,7 @@ else
   printf '%s\n' "$arguments" > "$out/arguments"
 fi
 
+echo "4/4 analysis and figures"
 build/bin/rodpack analyse "$out"
 echo "Figures:"
 find "$out/analysis" \( -name '*.png' -o -name '*.svg' \) | sort

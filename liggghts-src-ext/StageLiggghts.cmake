@@ -189,9 +189,13 @@ function(stage_stock_sources)
   mend(${partial} error_special.h "return msg.c_str()" "return 0")
   split_granular_styles(${partial})
   write_stock_combinations(${partial})
-  # Without the time of the build: an unchanged tree must not compile again.
-  file(WRITE ${partial}/version_liggghts.h
-       "#define LIGGGHTS_VERSION \"LIGGGHTS-PUBLIC 3.8.0 with rodpack\"\n")
+  # Without the time of the build, and the commit asked for at run time: an unchanged tree must not
+  # compile again.
+  file(WRITE ${partial}/version_liggghts.h "#include \"rodpack/version.h\"
+#include <string>
+#define LIGGGHTS_VERSION (std::string(\"LIGGGHTS-PUBLIC 3.8.0 with rodpack \") + \\
+  rodpack::version() + \" (\" + rodpack::commit() + \")\").c_str()
+")
   file(RENAME ${partial} ${staged})
   file(WRITE ${stamp} "${source} ${recipe}")
 endfunction()

@@ -37,7 +37,7 @@ for_each_file() {
   for file in "$ext"/styles/*/*.h "$ext"/styles/*/*.cpp; do
     "$1" "$file" "$src/$(basename "$file")"
   done
-  for file in "$ext"/core/include/rodpack/*/*.h "$ext"/core/src/*.h "$ext"/core/src/*/*.h \
+  for file in "$ext"/core/include/rodpack/*.h "$ext"/core/include/rodpack/*/*.h "$ext"/core/src/*.h "$ext"/core/src/*/*.h \
     "$ext"/vtk/rodpack/*/*.h; do
     place=${file#"$ext"/core/include/rodpack/}
     place=${place#"$ext"/core/src/}
@@ -53,6 +53,8 @@ for_each_file() {
       -e '/#include "rodpack\//b' -e "s|#include \"|#include \"rodpack/$room/|" "$file" > "$scratch/ours"
     "$1" "$scratch/ours" "$src/rodpack_${room}_$(basename "$file")"
   done
+  "$ext/write-version.sh" "$scratch/version.cpp"
+  "$1" "$scratch/version.cpp" "$src/rodpack_version.cpp"
 }
 
 print_place() {

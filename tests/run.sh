@@ -4,7 +4,11 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-docker/build.sh
+echo "1/3 packages (a minute or two the first time)"
+docker/setup.sh tests
+echo "2/3 build of the programs and the tests (some ten minutes on two cores the first time)"
+docker/build.sh tests
+echo "3/3 tests"
 if ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "$@"; then
   echo "tests/run.sh: all tests passed"
 else

@@ -67,8 +67,8 @@ std::vector<ForceLine> force_lines(const Frame& contacts) {
   std::vector<ForceLine> lines;
   for (const auto& [key, pair] : pairs) {
     const auto& e = pair.ends;
-    const auto& f = pair.force;
-    ForceLine line{e[0], e[1], e[2], e[3], std::hypot(f[0], f[1], f[2])};
+    const auto& force = pair.force;
+    ForceLine line{e[0], e[1], e[2], e[3], std::hypot(force[0], force[1], force[2])};
     if (std::get<0>(key) == 0 && pair.weight > 0) {
       line.x2 = line.x1 + pair.x / pair.weight;
       line.y2 = line.y1 + pair.y / pair.weight;

@@ -39,7 +39,7 @@ double chain_force_ratio(double overlap, double depth, double offset) {
   // Spheres in touch are at most this far along the axis.
   const double reach = std::sqrt(1 - height * height);
   double force = 0;
-  for (long j = std::lround(std::ceil(-reach / s - offset)); (j + offset) * s <= reach; ++j) {
+  for (double j = std::ceil(-reach / s - offset); (j + offset) * s <= reach; ++j) {
     const double distance = std::hypot(height, (j + offset) * s);
     force += std::max(0.0, 1 - distance) * height / distance;
   }

@@ -23,7 +23,7 @@ const std::vector<double> quick_steps = {28.37, 57.37, 114.37};
 const std::vector<std::string> quick_scenes = {"collision_0.2", "oblique_slip", "rod_drop",
                                                "spin_3d", "rod_rocking"};
 
-struct Options {
+struct AccuracyArguments {
   AccuracySettings settings;
   bool quick = false;
   std::string out;
@@ -110,7 +110,7 @@ std::string listed(const std::vector<std::string>& names) {
 }  // namespace
 
 void add_accuracy(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AccuracyArguments>();
   auto& settings = options->settings;
   settings.scenes.push_back(beds_scene);
   settings.scenes.push_back(stability_scene);

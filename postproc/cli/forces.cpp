@@ -17,7 +17,7 @@
 namespace rodpack::cli {
 namespace {
 
-struct Options {
+struct ForcesArguments {
   Input input;
   std::vector<std::string> bodies;
   ContactForceOptions forces;
@@ -45,7 +45,7 @@ void report(const ContactForces& forces, std::ostream& out) {
     out << "those without contact are missed: no --bodies\n";
 }
 
-void measure(const Options& options) {
+void measure(const ForcesArguments& options) {
   const auto& input = options.input;
   auto packing = input.packing;
   const auto files = find_dumps(input.patterns);
@@ -84,7 +84,7 @@ void measure(const Options& options) {
 }  // namespace
 
 void add_forces(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ForcesArguments>();
   auto* command = app.add_subcommand(
       "forces",
       "Contact forces: distributions of the normal and the tangential force over their means, "

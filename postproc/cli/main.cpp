@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "rodpack/version.h"
 
 int main(int argc, char** argv) {
   using namespace rodpack;
@@ -10,6 +11,8 @@ int main(int argc, char** argv) {
 
   CLI::App app("Analyses packings of spherocylinders that LIGGGHTS with rodpack's styles wrote.");
   app.name("rodpack");
+  app.set_version_flag("--version", std::string("rodpack ") + version() + " (" + commit() + ")",
+                       "version and commit");
   app.require_subcommand(1);
   app.footer(
       "Start with a whole run:\n"

@@ -15,7 +15,7 @@ namespace rodpack::cli {
 
 namespace {
 
-struct Options {
+struct RenderArguments {
   Input input;
   RenderOptions render;
   std::vector<double> window;
@@ -24,7 +24,7 @@ struct Options {
   std::string stem = "packing";
 };
 
-void draw(const Options& options) {
+void draw(const RenderArguments& options) {
   auto render = options.render;
   render.packing = options.input.packing;
   render.largest = options.largest;
@@ -44,7 +44,7 @@ void draw(const Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderArguments>();
   auto* command = app.add_subcommand("render",
                                      "Picture of a packing: every primary sphere at its true size "
                                      "and place, shaded by the contact "

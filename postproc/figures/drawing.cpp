@@ -74,7 +74,8 @@ std::string ColourScale::shade(std::size_t i) const {
 }
 
 double quantile_99(std::vector<double> values) {
-  const auto rank = values.begin() + static_cast<std::ptrdiff_t>(0.99 * (values.size() - 1));
+  const auto rank =
+      values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), rank, values.end());
   return *rank;
 }

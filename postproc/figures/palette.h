@@ -51,7 +51,7 @@ inline constexpr std::array<Rgb, 9> twilight{{{47, 20, 54},
 
 /// Colour at `position` in [0, 1] (clamped), as "#rrggbb".
 inline std::string palette_colour(const std::array<Rgb, 9>& knots, double position) {
-  const double at = std::clamp(position, 0.0, 1.0) * (knots.size() - 1);
+  const double at = std::clamp(position, 0.0, 1.0) * static_cast<double>(knots.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(at), knots.size() - 2);
   const double part = at - static_cast<double>(k);
   int channel[3];

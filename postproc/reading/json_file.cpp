@@ -2,11 +2,14 @@
 #include "reading/json_file.h"
 
 #include "reading/text_file.h"
+#include "rodpack/version.h"
 
 namespace rodpack {
 
 void write_json(const std::string& file, const nlohmann::ordered_json& content) {
-  write_text(file, content.dump(2) + "\n");
+  nlohmann::ordered_json signed_content = content;
+  signed_content["rodpack"] = {{"version", version()}, {"commit", commit()}};
+  write_text(file, signed_content.dump(2) + "\n");
 }
 
 }  // namespace rodpack

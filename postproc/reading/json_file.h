@@ -7,9 +7,10 @@
 
 namespace rodpack {
 
-/// Writes `content`, a JSON object, to `file`, replacing it: keys in their order, indented by two.
-/// Every JSON file of the post-processor is written here, so what all of them have to say belongs
-/// here too. @throws DataError when that fails.
+/// Writes `content`, a JSON object, to `file`, replacing it: keys in their order, then "rodpack"
+/// with its version and commit, indented by two. Every JSON file of the post-processor is written
+/// here.
+/// @throws DataError when that fails.
 void write_json(const std::string& file, const nlohmann::ordered_json& content);
 
 }  // namespace rodpack

@@ -10,7 +10,8 @@
 set -eu
 cd "$(dirname "$0")/../.."
 
-docker/build.sh
+docker/setup.sh tests
+docker/build.sh tests
 cmake --build build --target coarse_graining_benchmark
 bed=build/benchmark/bed
 if [ ! -e "$bed/result.json" ]; then

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "liggghts_run.h"
+#include "rodpack/version.h"
 
 using namespace rodpack::test;
 namespace fs = std::filesystem;
@@ -23,8 +24,12 @@ constexpr double gravity = 9.81;
 
 /// 24 particles in a narrow container: a few seconds.
 Vars small(const Vars& changes = {}) {
-  Vars vars = {{"particles", "24"},          {"width_in_lengths", "5"}, {"particles_per_line", "4"},
-               {"container_height", "0.12"}, {"out", "run"},            {"relaxation_ratio", "1e-4"}};
+  Vars vars = {{"particles", "24"},
+               {"width_in_lengths", "5"},
+               {"particles_per_line", "4"},
+               {"container_height", "0.12"},
+               {"out", "run"},
+               {"relaxation_ratio", "1e-4"}};
   for (const auto& [name, value] : changes) vars[name] = value;
   return vars;
 }
@@ -93,9 +98,13 @@ TEST(Deposition, SettlesToABedThatTheWallsCarry) {
   EXPECT_EQ(energies.column("particles").back(), 24);
   const std::string result = text_of(run.folder / "run/result.json");
   EXPECT_NE(result.find("\"crossed_pairs\": 0"), std::string::npos) << result;
+  const std::string by = std::string("\"rodpack\": {\"version\": \"") + rodpack::version() +
+                         "\", \"commit\": \"" + rodpack::commit() + "\"}";
+  EXPECT_NE(result.find(by), std::string::npos) << result;
   const std::string parameters = text_of(run.folder / "run/parameters.json");
   EXPECT_NE(parameters.find("\"aspect_ratio\": 5"), std::string::npos) << parameters;
   EXPECT_NE(parameters.find("\"timestep_s\": 1.1e-05"), std::string::npos) << parameters;
+  EXPECT_NE(parameters.find(by), std::string::npos) << parameters;
 }
 
 TEST(Deposition, SettlesSpheresCoarseAndCurvedParticlesAndWithTheBuiltInIntegrator) {
@@ -120,8 +129,8 @@ TEST(Deposition, RunsOnTwoRanks) {
   }
 }
 
-// The paper's drop of 1.985 m: a rod of 0.25 g that lands on its end goes in by up to 3 mm, twice its
-// radius. The planes of wall/gran throw five rods of the first ten lines out.
+// The paper's drop of 1.985 m: a rod of 0.25 g that lands on its end goes in by up to 3 mm, twice
+// its radius. The planes of wall/gran throw five rods of the first ten lines out.
 TEST(Deposition, WhatFallsFromTheTopStaysInTheContainer) {
   const auto run = run_liggghts(
       deck,
@@ -141,8 +150,8 @@ TEST(Deposition, SeedsGiveOtherPackingsAndTheSameSeedTheSameOne) {
   EXPECT_NE(first, y({{"seed", "2"}}));
 }
 
-// The resumed run starts from a restart file in the middle of the landing and ends bit for bit where
-// the uninterrupted one does.
+// The resumed run starts from a restart file in the middle of the landing and ends bit for bit
+// where the uninterrupted one does.
 TEST(Deposition, ResumesExactly) {
   const auto whole = run_liggghts(deck, small({{"restart_interval", "0.1"}}));
   ASSERT_EQ(whole.exit_code, 0) << whole.output;

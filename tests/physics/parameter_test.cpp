@@ -6,6 +6,7 @@
 #include <string>
 
 #include "liggghts_run.h"
+#include "rodpack/version.h"
 
 using namespace rodpack::test;
 
@@ -49,8 +50,24 @@ TEST(ParameterCommand, TakesDefaultThenPresetThenCommandLine) {
 TEST(ParameterCommand, WritesJsonNumbersAndStrings) {
   const auto run = run_liggghts(deck);
   EXPECT_EQ(text_of(run.folder / "parameters.json"),
-            "{\n  \"format\": \"rodpack-run 1\",\n  \"preset\": \"paper\",\n  \"particles\": 9000,\n"
-            "  \"timestep_s\": 1.1e-05,\n  \"overlap\": 0.5,\n  \"resume\": \"none\"\n}\n");
+            "{\n  \"format\": \"rodpack-run 1\",\n  \"rodpack\": {\"version\": \"" +
+                std::string(rodpack::version()) + "\", \"commit\": \"" + rodpack::commit() +
+                "\"},\n  \"preset\": \"paper\",\n  \"particles\": 9000,\n"
+                "  \"timestep_s\": 1.1e-05,\n  \"overlap\": 0.5,\n  \"resume\": \"none\"\n}\n");
+}
+
+TEST(ParameterCommand, TellsADeckWhichRodpackItRunsWith) {
+  const std::string expected = std::string(rodpack::version()) + " (" + rodpack::commit() + ")";
+  const auto run =
+      run_liggghts("parameter version\nprint \"${rodpack_version} (${rodpack_commit})\"\n");
+  EXPECT_NE(run.output.find("\n" + expected + "\n"), std::string::npos) << run.output;
+}
+
+TEST(Program, NamesTheRodpackInItsBanner) {
+  const std::string banner = std::string("LIGGGHTS-PUBLIC 3.8.0 with rodpack ") +
+                             rodpack::version() + " (" + rodpack::commit() + ")";
+  const auto run = run_liggghts("print begun\n");
+  EXPECT_NE(run.output.find(banner), std::string::npos) << run.output;
 }
 
 TEST(ParameterCommand, NamesTheWrongValueAndWhatWasExpected) {
@@ -83,12 +100,22 @@ TEST(ParameterCommand, ComparesWithTheParametersOfARun) {
   EXPECT_EQ(compare({{"particles", "12"}, {"timestep", "11e-6"}}).exit_code, 0);
   const auto other = compare({});
   EXPECT_NE(other.exit_code, 0);
-  EXPECT_NE(other.output.find("parameter 'particles': expected as in 'parameters.json', 12, got 9000"),
-            std::string::npos)
+  EXPECT_NE(
+      other.output.find("parameter 'particles': expected as in 'parameters.json', 12, got 9000"),
+      std::string::npos)
       << other.output;
 
   again.replace(again.find("parameters.json"), 15, "parameters.json except particles");
   EXPECT_EQ(compare({}).exit_code, 0);
+
+  // rodpack 0.1 did not write its version.
+  std::string old = text_of(first.folder / "parameters.json");
+  const auto version = old.find("  \"rodpack\"");
+  ASSERT_NE(version, std::string::npos) << old;
+  old.erase(version, old.find('\n', version) + 1 - version);
+  std::ofstream(first.folder / "parameters.json") << old;
+  EXPECT_EQ(compare({}).exit_code, 0);
+
   std::filesystem::remove(first.folder / "parameters.json");
   EXPECT_NE(compare({}).output.find("cannot read 'parameters.json'"), std::string::npos);
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "rodpack/geometry/mass_properties.h"
 #include "reading/number_text.h"
 #include "reading/table.h"
+#include "rodpack/version.h"
 
 namespace {
 
@@ -310,6 +312,20 @@ TEST_F(AccuracyRun, OnlyWhatIsMissingIsRun) {
   ASSERT_EQ(accuracy().exit_code, 0);
   EXPECT_EQ(runs(), 6);
   EXPECT_EQ(text_of(file), whole);
+}
+
+TEST_F(AccuracyRun, GoesOnInAFolderOfAnOlderRodpack) {
+  ASSERT_EQ(accuracy().exit_code, 0);
+  auto settings = nlohmann::json::parse(text_of(folder_ / "out/settings.json"));
+  EXPECT_EQ(settings["rodpack"]["version"], version());
+  EXPECT_EQ(settings["rodpack"]["commit"], commit());
+  settings["rodpack"]["version"] = "0.0";
+  std::ofstream(folder_ / "out/settings.json") << settings;
+  EXPECT_EQ(accuracy().exit_code, 0);
+  settings.erase("rodpack");  // rodpack 0.1 did not write it
+  std::ofstream(folder_ / "out/settings.json") << settings;
+  EXPECT_EQ(accuracy().exit_code, 0);
+  EXPECT_EQ(runs(), 5);
 }
 
 TEST_F(AccuracyRun, OtherSettingsAndMalformedRowsAreOneLineErrors) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "liggghts_run.h"
+#include "rodpack/version.h"
 #include "synthetic_packing.h"
 
 namespace {
@@ -47,6 +48,13 @@ SyntheticPacking small_packing(double curvature = 0) {
   packing.shape.curvature_angle = curvature;
   packing.fill();
   return packing;
+}
+
+TEST(CommandLine, SaysItsVersionAndCommit) {
+  const auto run = rodpack_command("--version");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.output,
+            std::string("rodpack ") + rodpack::version() + " (" + rodpack::commit() + ")\n");
 }
 
 TEST(CommandLine, HelpTeachesWithAnExampleAndSucceeds) {
@@ -285,6 +293,8 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
     EXPECT_NEAR(summary["time_s"].get<double>(), 0.022, 1e-12);
     EXPECT_EQ(summary["particles"], packing.body_count);
     EXPECT_EQ(summary["parameters"]["format"], "rodpack-run 1");
+    EXPECT_EQ(summary["rodpack"]["version"], rodpack::version());
+    EXPECT_EQ(summary["rodpack"]["commit"], rodpack::commit());
     // Squares of 15 mm fill 0.3 m x 0.3 m: surface at 0.3 m, phi = 5 areas per square.
     EXPECT_NEAR(summary["bed_height_m"].get<double>(), 0.3, 0.003);
     const double phi = 5 * rodpack::covered_area(packing.shape) / (0.015 * 0.015);

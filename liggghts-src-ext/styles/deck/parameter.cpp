@@ -11,6 +11,7 @@
 
 #include "comm.h"
 #include "input.h"
+#include "rodpack/version.h"
 #include "stop_run.h"
 #include "style_arguments.h"
 #include "variable.h"
@@ -61,6 +62,8 @@ void Parameter::command(int narg, char** arg) {
     compare(words[1], {words.begin() + std::min(narg, 3), words.end()});
   else if (narg == 1 && words[0] == "clear")
     declared_.clear();
+  else if (narg == 1 && words[0] == "version")
+    set_version();
   else
     declare(narg, arg);
 }
@@ -144,6 +147,11 @@ void Parameter::check_command_line() const {
   }
 }
 
+void Parameter::set_version() const {
+  set_variable("rodpack_version", "string", rodpack::version());
+  set_variable("rodpack_commit", "string", rodpack::commit());
+}
+
 std::string Parameter::json_entry(const Declaration& d) {
   const bool number = d.type == "real" || d.type == "integer";
   const std::string value =
@@ -159,6 +167,8 @@ void Parameter::write(const std::string& file) const {
   } else if (comm->me == 0) {
     std::ofstream out(file);
     out << "{\n  \"format\": \"rodpack-run 1\"";
+    out << ",\n  \"rodpack\": {\"version\": " << json_string(rodpack::version())
+        << ", \"commit\": " << json_string(rodpack::commit()) << "}";
     for (const auto& d : declared_) out << ",\n  " << json_entry(d);
     out << "\n}\n";
     out.close();

@@ -29,8 +29,8 @@ void DumpContactGran::list_rows() {
     const rodpack::Contact ends = particles.contact_of(contact, centres);
 
     rodpack::contact_dump::Row row;
-    row.body_i = ends.i;
-    row.body_j = ends.j;
+    row.body_i = static_cast<double>(ends.i);
+    row.body_j = static_cast<double>(ends.j);
     row.sphere_i = atom->tag[contact.i];
     row.sphere_j = wall ? 0.0 : atom->tag[contact.j];
     row.wall = wall ? 1.0 : 0.0;

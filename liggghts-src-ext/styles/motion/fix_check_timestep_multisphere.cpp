@@ -154,8 +154,8 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
     const rodpack::Contact contact = particles.contact_of(record, centres);
     if (contact.i == contact.j) continue;  // with its own periodic image
     NetworkContact one = {};
-    one.i = contact.i;
-    one.j = contact.wall ? -1 : contact.j;
+    one.i = static_cast<int>(contact.i);
+    one.j = contact.wall ? -1 : static_cast<int>(contact.j);
     for (int d = 0; d < 3; ++d) {
       one.normal[d] = record.normal[d];
       one.arm_i[d] = contact.point[d] - contact.centre_i[d];

@@ -394,7 +394,8 @@ double FixInsertLine::extend_cut_ghost() {
 double FixInsertLine::compute_vector(int index) {
   if (index == 0) return inserted_;
   if (index == 1) return lines_;
-  if (index == 2) return last_line_step_ < 0 ? -1. : last_line_step_ * update->dt;
+  if (index == 2)
+    return last_line_step_ < 0 ? -1. : static_cast<double>(last_line_step_) * update->dt;
   return mass_inserted_;
 }
 

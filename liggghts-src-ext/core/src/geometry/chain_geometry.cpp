@@ -30,7 +30,7 @@ int chain_count(double aspect_ratio, double overlap) {
 double mean_y(const std::vector<std::array<double, 2>>& points) {
   double sum = 0.0;
   for (const auto& p : points) sum += p[1];
-  return sum / points.size();
+  return sum / static_cast<double>(points.size());
 }
 
 // Area of the part of a disc of radius r about C that lies between the ray from O through C and the

@@ -18,7 +18,7 @@ double reference_volume(ChainShape shape) {
 std::array<double, 3> coarse_chain_inertia(ChainShape shape, double mass) {
   shape.overlap = 0.0;
   const auto centres = sphere_centres(shape);
-  const double each = mass / centres.size();
+  const double each = mass / static_cast<double>(centres.size());
   const double own = 0.1 * mass * shape.diameter * shape.diameter;  // 2/5 m r^2, all spheres
   std::array<double, 3> inertia = {{own, own, own}};
   for (const auto& c : centres) {

@@ -45,9 +45,9 @@ struct PlanarLaneState {
 /// been removed, unless that lies in a part before its own, or comes behind all sorted ones.
 class PlanarBlockPool {
  public:
-  /// @param slots  tangential velocities that a contact remembers
+  /// @param remembered  tangential velocities that a contact remembers
   /// @param hole_j  second body of the holes: 0 or, if the blocks are of walls, -1
-  PlanarBlockPool(int bodies, int slots, int hole_j);
+  PlanarBlockPool(int bodies, int remembered, int hole_j);
 
   void resize(int bodies) { of_body_.resize(bodies); }
   /// The number of places, holes too.
