@@ -57,9 +57,9 @@ TEST(ParameterCommand, WritesJsonNumbersAndStrings) {
 }
 
 TEST(ParameterCommand, TellsADeckWhichRodpackItRunsWith) {
-  const std::string expected = std::string(rodpack::version()) + " (" + rodpack::commit() + ")";
-  const auto run =
-      run_liggghts("parameter version\nprint \"${rodpack_version} (${rodpack_commit})\"\n");
+  const std::string expected = std::string("{\"version\": \"") + rodpack::version() +
+                               "\", \"commit\": \"" + rodpack::commit() + "\"}";
+  const auto run = run_liggghts("parameter version\nprint '${rodpack}'\n");
   EXPECT_NE(run.output.find("\n" + expected + "\n"), std::string::npos) << run.output;
 }
 

@@ -39,6 +39,12 @@ std::string json_string(const std::string& text) {
   return quoted + "\"";
 }
 
+/// Version and commit of this rodpack, as a JSON object.
+std::string json_of_rodpack() {
+  return "{\"version\": " + json_string(rodpack::version()) +
+         ", \"commit\": " + json_string(rodpack::commit()) + "}";
+}
+
 /// Shortest text that reads back as the same number (users write ".5" or "+1", JSON does not allow
 /// it).
 std::string json_number(double number) {
@@ -63,7 +69,7 @@ void Parameter::command(int narg, char** arg) {
   else if (narg == 1 && words[0] == "clear")
     declared_.clear();
   else if (narg == 1 && words[0] == "version")
-    set_version();
+    set_variable("rodpack", "string", json_of_rodpack());
   else
     declare(narg, arg);
 }
@@ -147,11 +153,6 @@ void Parameter::check_command_line() const {
   }
 }
 
-void Parameter::set_version() const {
-  set_variable("rodpack_version", "string", rodpack::version());
-  set_variable("rodpack_commit", "string", rodpack::commit());
-}
-
 std::string Parameter::json_entry(const Declaration& d) {
   const bool number = d.type == "real" || d.type == "integer";
   const std::string value =
@@ -167,8 +168,7 @@ void Parameter::write(const std::string& file) const {
   } else if (comm->me == 0) {
     std::ofstream out(file);
     out << "{\n  \"format\": \"rodpack-run 1\"";
-    out << ",\n  \"rodpack\": {\"version\": " << json_string(rodpack::version())
-        << ", \"commit\": " << json_string(rodpack::commit()) << "}";
+    out << ",\n  \"rodpack\": " << json_of_rodpack();
     for (const auto& d : declared_) out << ",\n  " << json_entry(d);
     out << "\n}\n";
     out.close();

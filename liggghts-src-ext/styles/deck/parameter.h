@@ -32,7 +32,6 @@ class Parameter : protected Pointers {
   void declare_choice(const Declaration& it, class StyleArguments& arguments);
   void declare_number(Declaration& it, class StyleArguments& arguments);
   void check_command_line() const;
-  void set_version() const;
   void write(const std::string& file) const;
   void compare(const std::string& file, const std::set<std::string>& except) const;
   static std::string json_entry(const Declaration& declaration);
