@@ -4,6 +4,10 @@
 # What liggghts-src-ext/README.md tells the user of an own LIGGGHTS tree to do, as far as it takes to
 # prove that the styles are registered and compile there. SOURCE: the tarball or folder to start from.
 set -eu
+if [ $# != 4 ]; then
+  sed -n 's/^# \(Usage: .*\)/\1/p' "$0" >&2
+  exit 2
+fi
 ext=$1/liggghts-src-ext
 tree=$3/src
 compiler=$4
@@ -63,6 +67,10 @@ if "$ext/install-into.sh" . 2> refusal; then fail "overwrote a file that differs
 grep -q 'rodpack/geometry/chain_geometry.h exists and differs' refusal || fail "refusal: $(cat refusal)"
 grep -qx '// mine' rodpack/geometry/chain_geometry.h || fail "overwrote a file that differs"
 "$ext/install-into.sh" --update . | grep -q '^replaced' || fail "--update did not replace"
+
+# The commit of an earlier install is no difference to refuse.
+sed -i 's/commit() { return ".*"/commit() { return "earlier"/' rodpack_version.cpp
+"$ext/install-into.sh" . | grep -qx 'replaced ./rodpack_version.cpp' || fail "kept an earlier commit"
 
 # What another version has left would be compiled beside what took its place.
 touch rodpack_line_rule.cpp
