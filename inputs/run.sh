@@ -6,24 +6,46 @@
 #
 # PRESET    quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one)
 # -var …    handed to the deck, see inputs/README.md
-# OUT=…     run folder, default results/PRESET;   RANKS=n  MPI ranks, default 1
+# OUT=…     run folder, default results/PRESET; a relative one starts at the root of the repository
+# RANKS=n   MPI ranks, default 1
 # A run that is complete is not run again; one that was interrupted goes on from its last restart file.
 set -eu
 cd "$(dirname "$0")/.."
+
+refuse() {
+  echo "inputs/run.sh: $1" >&2
+  exit 2
+}
 
 case "${1:-}" in
   quick | paper) ;;
   *)
     sed -n '3,/^set/{/^set/!s/^# \{0,1\}//p}' inputs/run.sh >&2
-    exit 2
+    refuse "preset '${1:-}', expected quick or paper"
     ;;
 esac
 preset=$1
 shift
+arguments="$preset $*"
 out=${OUT:-results/$preset}
 ranks=${RANKS:-1}
+case $ranks in
+  *[!0-9]* | 0*) refuse "RANKS is '$ranks', expected a number of MPI ranks, 1 or more" ;;
+esac
 
-arguments="$preset $*"
+# check_variables WORD ...: all of them are -var NAME VALUE, and no NAME is given in another way.
+check_variables() {
+  while [ $# -gt 0 ]; do
+    if [ $# -lt 3 ] || [ "$1" != -var ]; then refuse "'$*', expected -var NAME VALUE"; fi
+    case $2 in
+      out) refuse "-var out $3: give the run folder as OUT=$3" ;;
+      preset) refuse "-var preset $3: give the preset as the first argument" ;;
+    esac
+    shift 3
+  done
+}
+check_variables "$@"
+
 if [ -e "$out/result.json" ] && [ -e "$out/arguments" ] && [ "$(cat "$out/arguments")" != "$arguments" ]; then
   echo "inputs/run.sh: $out holds the run '$(cat "$out/arguments")', not '$arguments':" \
     "choose another folder with OUT=…" >&2

@@ -1,8 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Usage: run_script.sh REPOSITORY
-# inputs/run.sh refuses to pass a complete run off as one with other parameters.
+# inputs/run.sh refuses what it cannot mean, before it touches the machine, and to pass a complete run
+# off as one with other parameters.
 set -eu
+if [ $# != 1 ]; then
+  sed -n 's/^# \(Usage: .*\)/\1/p' "$0" >&2
+  exit 2
+fi
 repository=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -10,14 +15,36 @@ echo '{}' > "$work/parameters.json"
 echo '{"step": 1}' > "$work/result.json"
 echo 'quick -var particles 30' > "$work/arguments"
 
-for arguments in 'quick -var particles 9' 'quick' 'paper -var particles 30'; do
-  # shellcheck disable=SC2086  # several words
-  if OUT=$work sh "$repository/inputs/run.sh" $arguments > "$work/log" 2>&1; then
-    echo "FAILED: accepted $arguments" >&2
+# refuses MESSAGE WORD ...: these words are refused with a line that begins with MESSAGE
+refuses() {
+  message=$1
+  shift
+  if OUT=$work sh "$repository/inputs/run.sh" "$@" > "$work/log" 2>&1; then
+    echo "FAILED: accepted $*" >&2
     exit 1
   fi
-  grep -qF "holds the run 'quick -var particles 30', not '$arguments" "$work/log" || {
+  # The first word on progress: packages.
+  if grep -q '^1/4' "$work/log" || ! grep -qF "inputs/run.sh: $message" "$work/log"; then
+    echo "FAILED: expected '$message' from $*:" >&2
     cat "$work/log" >&2
     exit 1
-  }
+  fi
+}
+
+refuses "preset '', expected quick or paper"
+refuses "preset 'foo', expected quick or paper" foo
+refuses "'particles 30', expected -var NAME VALUE" quick particles 30
+refuses "'-var particles', expected -var NAME VALUE" quick -var seed 1 -var particles
+refuses "'--var particles 30', expected -var NAME VALUE" quick --var particles 30
+refuses "-var out here: give the run folder as OUT=here" quick -var out here
+refuses "-var preset paper: give the preset as the first argument" quick -var preset paper
+for ranks in abc 1.5 0 -1; do
+  export RANKS=$ranks
+  refuses "RANKS is '$ranks', expected a number of MPI ranks, 1 or more" quick
+done
+unset RANKS
+
+for arguments in 'quick -var particles 9' 'quick' 'paper -var particles 30'; do
+  # shellcheck disable=SC2086  # several words
+  refuses "$work holds the run 'quick -var particles 30', not '$arguments" $arguments
 done
