@@ -31,6 +31,7 @@ links() {
 }
 
 # The headings of a page as the hosts make anchors of them.
+# shellcheck disable=SC1112  # the quotes that headings hold
 anchors() {
   awk '/^ *```/ { fenced = !fenced } !fenced && /^#+ /' "$1" |
     sed 's/^#* //; s/\[\([^]]*\)\]([^)]*)/\1/g' | tr '[:upper:]' '[:lower:]' |
