@@ -6,6 +6,11 @@
 set -eu
 cd "$(dirname "$0")/.."
 
+if [ -f build/CMakeCache.txt ] && ! grep -qx 'CMAKE_GENERATOR:INTERNAL=Ninja' build/CMakeCache.txt; then
+  echo "docker/build.sh: build/ was not made for Ninja: remove it (rm -r build) and start again" >&2
+  exit 1
+fi
+
 case "${1:-}" in
   '')
     targets="liggghts rodpack"
@@ -17,9 +22,7 @@ case "${1:-}" in
     targets=all
     # Anew where the folder was made for the programs alone.
     if ! grep -qsx 'RODPACK_TESTS:BOOL=ON' build/CMakeCache.txt || [ ! -f build/build.ninja ]; then
-      werror=OFF
-      if g++ -dumpversion | grep -qx 12; then werror=ON; fi
-      cmake -G Ninja -S . -B build -DRODPACK_TESTS=ON -DRODPACK_WERROR=$werror
+      cmake -G Ninja -S . -B build -DRODPACK_TESTS=ON
     fi
     ;;
   *)

@@ -3,6 +3,10 @@
 # Usage: source_errors.sh REPOSITORY STAGED_SRC WORK
 # A wrong LIGGGHTS source is one line that says what is wrong and what to do.
 set -eu
+if [ $# != 3 ]; then
+  sed -n 's/^# \(Usage: .*\)/\1/p' "$0" >&2
+  exit 2
+fi
 stage=$1/liggghts-src-ext/StageLiggghts.cmake
 work=$3
 rm -rf "$work"
