@@ -90,9 +90,12 @@ echo "since $base ($(git log -1 --format='%h of %cs' "$base")): $(wc -l < "$work
 if [ -s "$work/left" ]; then echo "not checked:" && cat "$work/left"; fi
 [ -s "$work/checked" ] || skip "only headers that no source includes"
 
+# Files by folder and name: an include may lead to them through "..".
 filter=$(awk '{
-    if (!($1 in ranges)) order[++files] = $1
-    ranges[$1] = ranges[$1] (ranges[$1] == "" ? "" : ",") "[" $2 "," $3 "]"
+    parts = split($1, path, "/")
+    name = path[parts - 1] "/" path[parts]
+    if (!(name in ranges)) order[++files] = name
+    ranges[name] = ranges[name] (ranges[name] == "" ? "" : ",") "[" $2 "," $3 "]"
   }
   END {
     printf "["
