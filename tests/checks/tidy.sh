@@ -4,7 +4,7 @@
 # clang-tidy with .clang-tidy on lines that changed since a base, committed or not. The base is the
 # environment's RODPACK_BASE, else where HEAD left origin/main, else, on origin/main itself, HEAD's
 # first parent: in a fresh clone of main the last commit alone is looked at, of a merge all that it
-# brought. BUILD holds compile_commands.json. Each source takes some twenty seconds: the
+# brought. BUILD holds compile_commands.json. Each source takes ten to twenty seconds: the
 # RODPACK_TIDY_FILES (default 8) with the most changed lines are checked, and the others named.
 set -eu
 if [ $# != 2 ]; then
