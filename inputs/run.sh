@@ -20,8 +20,9 @@ refuse() {
 case "${1:-}" in
   quick | paper) ;;
   *)
+    echo "inputs/run.sh: preset '${1:-}', expected quick or paper" >&2
     sed -n '3,/^set/{/^set/!s/^# \{0,1\}//p}' inputs/run.sh >&2
-    refuse "preset '${1:-}', expected quick or paper"
+    exit 2
     ;;
 esac
 preset=$1

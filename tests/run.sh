@@ -14,7 +14,7 @@ if ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" --o
   # What a machine lacks skips a check: so it is said at the end, with the reason.
   awk -F '"' '/<testcase / { name = $2; skipped = 0 }
     /<skipped message="SKIP/ { skipped = 1 }
-    skipped && /<system-out>/ { sub(/^.*<system-out>/, ""); print "tests/run.sh: skipped: " name " (" $0 ")" }' "$report"
+    skipped && sub(/^.*<system-out>(skipped: )?/, "") { print "tests/run.sh: skipped: " name ": " $0 }' "$report"
   echo "tests/run.sh: no test failed"
 else
   echo "tests/run.sh: tests FAILED (listed above)" >&2
