@@ -10,8 +10,8 @@
 
 namespace rodpack {
 
-/// Coarse-grained solid fraction in the central vertical slice (physics.md section 5), averaged
-/// over the slice's width 2 AR d_p in closed form, with w = 3 AR d_p.
+/// Coarse-grained solid fraction in the central vertical slice (postproc/README.md, Definitions),
+/// averaged over the slice's width 2 AR d_p in closed form, with w = 3 AR d_p.
 struct SolidFraction {
   double scale = 0;                     // w, m
   double lowest = 0;                    // y from which the means start: 3 w above the floor, m

@@ -30,10 +30,11 @@ double groove_friction(double overlap);
 /// 1).
 double chain_force_ratio(double overlap, double depth, double offset);
 
-/// That ratio over all offsets.
+/// The values that chain_force_ratio() takes over all offsets; `mean` is their average.
 struct ForceRatioRange {
   double least, mean, largest;
 };
+/// Returns the range of that ratio at one depth in (0, 1).
 ForceRatioRange chain_force_range(double overlap, double depth);
 
 }  // namespace rodpack

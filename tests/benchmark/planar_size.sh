@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run_style verlet/planar against the size of the scene: cost per rod and step of 1000, 10 000 and 100 000
-# rods (beds of four lines, equally high, ever wider), looked at every 1000 and every 10 000 steps, memory
+# rods (beds of four lines, equally high, ever wider), observed every 1000 and every 10 000 steps, memory
 # beyond that of the sphere-level styles, and one rank against two with 9000 rods (the bed of
 # planar_deposition.sh).
 #
@@ -32,14 +32,14 @@ done
 # width of a bed of so many rods, m
 width() { awk -v rods="$1" 'BEGIN { print int(rods * 10 / 36) * 0.015 }'; }
 
-# RANKS RESTART WIDTH METHOD STEPS [LOOK]: prints ns per sphere and step, the largest memory of a single rank
+# RANKS RESTART WIDTH METHOD STEPS [OBSERVE]: prints ns per sphere and step, the largest memory of a single rank
 # (kB; several leave no core for somebody who watches), the number of spheres, and ghosts and bytes that a
 # rank sends in a step
 steps() {
   launcher="taskset -c 1"
   [ "$1" = 1 ] || launcher="mpiexec --bind-to core -np $1"
   $launcher "$build/bin/liggghts" -in "$here/in.steps" -var start "$2" -var width "$3" -var method "$4" \
-    -var warm_up 20 -var steps "$5" -var look "${6:-1000}" > run.out 2>&1 &
+    -var warm_up 20 -var steps "$5" -var observe "${6:-1000}" > run.out 2>&1 &
   run=$!
   memory=0
   while [ "$1" = 1 ] && kill -0 $run 2> /dev/null; do
@@ -79,8 +79,8 @@ sort -k1,1 -k2,2g times.txt | awk -v file="$build/benchmark/planar_size.json" "$
     print "[\n" pair("9000 rods, one rank over two", "ranks_1", "ranks_2") ",\n" \
           pair("rods 10000 over 1000", "size_10000", "size_1000") ",\n" \
           pair("rods 100000 over 1000", "size_100000", "size_1000") ",\n" \
-          pair("rods 10000 over 1000, a look every 10000 steps", "alone_10000", "alone_1000") ",\n" \
-          pair("rods 100000 over 1000, a look every 10000 steps", "alone_100000", "alone_1000") ",\n" \
+          pair("rods 10000 over 1000, every 10000th step observed", "alone_10000", "alone_1000") ",\n" \
+          pair("rods 100000 over 1000, every 10000th step observed", "alone_100000", "alone_1000") ",\n" \
           sprintf("  {\"name\": \"9000 rods, two ranks\", \"ghosts_per_rank\": %.4g, \"bytes_sent_per_rank_and_step\": %.4g},\n", ghosts["ranks_2"], bytes["ranks_2"]) \
           sprintf("  {\"name\": \"memory beyond the sphere level, 100000 rods\", \"bytes_per_sphere\": %.0f}", beyond) "\n]" > file
   }'

@@ -18,10 +18,8 @@ std::map<std::string, std::vector<double>> read_comparison(const std::filesystem
   const auto& quantity = table.words("quantity");
   std::map<std::string, std::vector<double>> rows;
   for (const char* column : {"builtin", "rodpack", "builtin_sampled", "exact"})
-    for (std::size_t i = 0; i < table.rows(); ++i) {
-      const std::string& value = table.words(column)[i];
-      rows[quantity[i]].push_back(value.empty() ? NAN : std::stod(value));
-    }
+    for (std::size_t i = 0; i < table.rows(); ++i)
+      rows[quantity[i]].push_back(number_or_nan(table, i, column));
   return rows;
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "liggghts_run.h"
@@ -54,6 +55,8 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+nlohmann::json json_of(const fs::path& file) { return nlohmann::json::parse(text_of(file)); }
+
 /// A settled bed: all particles inside the container, planar, and carried by floor and walls.
 void expect_settled(const fs::path& run, std::size_t particles, double width) {
   const Table bodies = read_dump(last_dump(run, "bodies"));
@@ -96,15 +99,14 @@ TEST(Deposition, SettlesToABedThatTheWallsCarry) {
   const Table energies = read_table(run.folder / "run/energies.csv");
   EXPECT_LE(energies.column("kinetic_over_elastic").back(), 1e-4);
   EXPECT_EQ(energies.column("particles").back(), 24);
-  const std::string result = text_of(run.folder / "run/result.json");
-  EXPECT_NE(result.find("\"crossed_pairs\": 0"), std::string::npos) << result;
-  const std::string by = std::string("\"rodpack\": {\"version\": \"") + rodpack::version() +
-                         "\", \"commit\": \"" + rodpack::commit() + "\"}";
-  EXPECT_NE(result.find(by), std::string::npos) << result;
-  const std::string parameters = text_of(run.folder / "run/parameters.json");
-  EXPECT_NE(parameters.find("\"aspect_ratio\": 5"), std::string::npos) << parameters;
-  EXPECT_NE(parameters.find("\"timestep_s\": 1.1e-05"), std::string::npos) << parameters;
-  EXPECT_NE(parameters.find(by), std::string::npos) << parameters;
+  const nlohmann::json by = {{"version", rodpack::version()}, {"commit", rodpack::commit()}};
+  const nlohmann::json result = json_of(run.folder / "run/result.json");
+  EXPECT_EQ(result.at("crossed_pairs"), 0);
+  EXPECT_EQ(result.at("rodpack"), by);
+  const nlohmann::json parameters = json_of(run.folder / "run/parameters.json");
+  EXPECT_EQ(parameters.at("aspect_ratio"), 5);
+  EXPECT_EQ(parameters.at("timestep_s"), 1.1e-5);
+  EXPECT_EQ(parameters.at("rodpack"), by);
 }
 
 TEST(Deposition, SettlesSpheresCoarseAndCurvedParticlesAndWithTheBuiltInIntegrator) {
@@ -161,7 +163,7 @@ TEST(Deposition, ResumesExactly) {
   const long every = std::lround(std::ceil(0.1 / 1.1e-5));
   const fs::path restart = run / ("restart/deposition." + std::to_string(3 * every) + ".restart");
   ASSERT_TRUE(fs::exists(restart));
-  ASSERT_GT(std::stod(result.substr(result.find("time_s\": ") + 9)), 0.35);
+  ASSERT_GT(json_of(run / "result.json").at("time_s").get<double>(), 0.35);
 
   fs::remove(run / "result.json");
   const auto resumed = run_liggghts_in(

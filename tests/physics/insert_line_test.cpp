@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "deck.h"
 #include "liggghts_run.h"
@@ -18,39 +17,15 @@ using Vars = std::map<std::string, std::string>;
 
 const char* deck = "verification/lines/in.lines";
 
-/// Rows of the thermo table in the order of the columns: step, ...
-std::vector<std::vector<double>> thermo_rows(const std::string& output) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream lines(output);
-  std::string line;
-  bool inside = false;
-  while (std::getline(lines, line)) {
-    if (line.find("Step ") != std::string::npos && line.find("Atoms") != std::string::npos) {
-      inside = true;
-      continue;
-    }
-    if (!inside) continue;
-    std::istringstream words(line);
-    std::vector<double> row;
-    double value;
-    while (words >> value) row.push_back(value);
-    if (row.size() < 3) {
-      inside = false;
-      continue;
-    }
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-/// Steps at which the number inserted (third column) rises, with the number after it.
+/// Steps at which the number inserted rises, with the number after it.
 std::map<long, int> insertions(const std::string& output) {
+  const Table thermo = read_thermo(output);
   std::map<long, int> steps;
   int before = 0;
-  for (const auto& row : thermo_rows(output)) {
-    const int now = static_cast<int>(row[2]);
-    if (now > before) steps[static_cast<long>(row[0])] = now;
-    before = std::max(before, now);
+  for (std::size_t i = 0; i < thermo.rows(); ++i) {
+    const int now = static_cast<int>(thermo.column("lines")[i]);
+    if (now > before) steps[static_cast<long>(thermo.column("Step")[i])] = now;
+    before = now;
   }
   return steps;
 }

@@ -2,8 +2,12 @@
 #include "table.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "reading/dump.h"
@@ -23,6 +27,30 @@ std::vector<std::vector<double>> rows_of(const Columns& table,
     for (std::size_t i = 0; i < count; ++i) rows[i].push_back(column[i]);
   }
   return rows;
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+/// Whether all of `text` is one number, which then is in `value`.
+bool is_number(const std::string& text, double& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// The numbers of a line; none if it holds anything else.
+std::vector<double> numbers_of(const std::string& line) {
+  std::vector<double> numbers;
+  double number = 0;
+  for (const std::string& word : words_of(line)) {
+    if (!is_number(word, number)) return {};
+    numbers.push_back(number);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -52,6 +80,31 @@ const std::vector<double>& Table::column(const std::string& name) const {
 Table read_table(const std::filesystem::path& file) {
   const rodpack::Table table = rodpack::read_table(file.string());
   return Table(file.string(), table.names(), rows_of(table, table.names(), table.rows()));
+}
+
+double number_or_nan(const rodpack::Table& table, std::size_t row, const std::string& column) {
+  const std::string& field = table.words(column).at(row);
+  if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double number = 0;
+  if (!is_number(field, number)) table.refuse(row, column, "a number or nothing");
+  return number;
+}
+
+Table read_thermo(const std::string& output) {
+  std::istringstream lines(output);
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    if (names.empty()) {
+      const auto words = words_of(line);
+      if (!words.empty() && words[0] == "Step") names = words;
+    } else if (line.rfind("Loop time", 0) == 0) {
+      return Table("the thermo output", names, rows);
+    } else if (const auto row = numbers_of(line); row.size() == names.size()) {
+      rows.push_back(row);
+    }
+  }
+  throw std::runtime_error("expected a thermo table, from 'Step' to 'Loop time', in:\n" + output);
 }
 
 Table read_dump(const std::filesystem::path& file, int wanted) {

@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+namespace rodpack {
+class Table;
+}
+
 namespace rodpack::test {
 
 /// Numbers in named columns.
@@ -34,6 +38,15 @@ class Table {
 /// Reads a whitespace- or comma-separated file of numbers with the post-processor's reader
 /// (reading/table.h). Throws DataError, a std::runtime_error, naming file and line.
 Table read_table(const std::filesystem::path& file);
+
+/// Reads the field of a table of the post-processor's that lies in this row and column: NaN where
+/// it is empty. Throws DataError naming file, line and field when it is neither that nor a number.
+double number_or_nan(const rodpack::Table& table, std::size_t row, const std::string& column);
+
+/// Reads the thermo table of the first run that `output` of LIGGGHTS tells of: the columns as its
+/// header names them ("Step", "Atoms", ...), a row for each line of as many numbers. Throws a
+/// std::runtime_error when there is none.
+Table read_thermo(const std::string& output);
 
 /// Reads frame number `frame` (0 the first, -1 the last) of a LIGGGHTS text dump with the
 /// post-processor's reader (reading/dump.h). Throws a std::runtime_error naming file and line.

@@ -34,6 +34,17 @@ TEST(TestSupport, NamesTheMissingColumnAndTheBadLine) {
   EXPECT_THROW(read_table("no/such/file"), std::runtime_error);
 }
 
+// The second run's table, and lines between the rows that are none, are left out.
+TEST(TestSupport, ReadsTheThermoTableOfTheFirstRun) {
+  const Table thermo = read_thermo(
+      "run 2\n  Step  Atoms lines \n 0 0 0 \nWARNING: 1 2 x\n 2 54 6e0 \n"
+      "Loop time of 1 on 1 procs\nStep Atoms lines\n3 0 0\nLoop time of 1 on 1 procs\n");
+  EXPECT_EQ(thermo.names(), (std::vector<std::string>{"Step", "Atoms", "lines"}));
+  EXPECT_EQ(thermo.column("Step"), (Numbers{0, 2}));
+  EXPECT_EQ(thermo.column("lines"), (Numbers{0, 6}));
+  EXPECT_THROW(read_thermo("Step Atoms\n1 2\n"), std::runtime_error);
+}
+
 TEST(TestSupport, ReadsTheWantedFrameOfADump) {
   const auto frame = [](const std::string& step, const std::string& x) {
     return "ITEM: TIMESTEP\n" + step + "\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff pp\n" +

@@ -9,8 +9,8 @@
 
 namespace LAMMPS_NS {
 
-/// Carries events of contacts (rodpack/force_change.h) from the contact models to the integrator of
-/// the bodies, and what they did to the bodies back to the models in the step after.
+/// Carries events of contacts (rodpack/contact/force_change.h) from the contact models to the
+/// integrator of the bodies, and what they did to the bodies back to the models in the step after.
 ///
 /// Per atom, since a body's spheres and its contacts may be spread over ranks: the changes of the
 /// forces on a sphere travel as the forces do, and the motion of a sphere as its velocity does.

@@ -56,6 +56,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
  public:
   NormalModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
       : NormalModelBase(lmp, hsetup, c),
+        // The label of the viscoelastic force, as restart files have it since the first version.
         offset_(hsetup->add_history_value("spring_dashpot_uncut", "0")),
         kn_(NULL),
         kt_(NULL),

@@ -46,17 +46,17 @@ struct AccuracyScene {
   double asymptotic_from = 25;  // steps per contact from which on errors show the order
   std::function<double(const Frame&)> error;  // of the end.dump
 
-  /// Number of time steps of a run with about so many steps per contact.
+  /// Returns the number of time steps of a run with about so many steps per contact.
   long steps(double steps_per_contact) const;
-  /// Their length, s.
+  /// Returns the length of each of these time steps, s.
   double step(double steps_per_contact) const;
   /// Returns every -var of a run of so many steps of `dt`, s.
   DeckVariables variables_for(const AccuracyMethod& method, double dt, long steps) const;
 };
 /// Name of the scene whose trajectories are chaotic, so that only means can be compared: beds of
-/// rods (rodpack/beds.h).
+/// rods (campaigns/beds/beds.h).
 constexpr const char* beds_scene = "beds";
-/// Name under which the limits of stability (rodpack/stability.h) are asked for.
+/// Name under which the limits of stability (campaigns/stability/stability.h) are asked for.
 constexpr const char* stability_scene = "stability";
 
 /// Returns the scene of that name with its reference, which takes up to a second. @throws DataError

@@ -34,8 +34,8 @@ class ReferenceContact {
     g[0] = touching_ ? delta : -delta;
     g[1] = g[2] = 0;
     if (!touching_) return;
-    const double uncut = kn_ * delta - cn_ * vn;
-    g[1] = cut_ ? -uncut : uncut;
+    const double viscoelastic = kn_ * delta - cn_ * vn;
+    g[1] = cut_ ? -viscoelastic : viscoelastic;
     g[2] = slides_ != 0 ? goes_on_sliding(slides_, vn, vt)
                         : mu_ * kn_ * delta - std::fabs(kt_ * s + ct_ * vt);
   }

@@ -21,7 +21,7 @@ class ProcessorPin {
   ~ProcessorPin();
   ProcessorPin(const ProcessorPin&) = delete;
   ProcessorPin& operator=(const ProcessorPin&) = delete;
-  /// Their numbers, "0,1".
+  /// Returns the numbers of the processors that this process is bound to, as in "0,1".
   const std::string& processors() const { return processors_; }
 
  private:
