@@ -151,6 +151,33 @@ struct ContactJump {
   double acceleration[3], velocity[3], displacement[3];
 };
 
+/// The component of a ContactJump along one axis.
+struct ContactJumpComponent {
+  double acceleration, velocity, displacement;
+};
+
+/// The component along a unit vector.
+inline ContactJumpComponent component(const ContactJump& jump, const double (&axis)[3]) {
+  return {dot(jump.acceleration, axis), dot(jump.velocity, axis), dot(jump.displacement, axis)};
+}
+
+/// Gives the tangential spring of a contact (m) and its velocities of the last steps (m/s), along
+/// one axis, what they could not know of a jump: the spring grows by the displacement, and the
+/// velocity k steps before the end of the last one by that of a motion with the changed
+/// acceleration. `velocity`(k) refers to one of `count` velocities, newest first, `dt` (s) apart.
+template <class Velocity>
+inline void follow_jump(const ContactJumpComponent& jump, double dt, double& spring, int count,
+                        Velocity velocity) {
+  spring += jump.displacement;
+  for (int k = 0; k < count; ++k) velocity(k) += jump.velocity - k * dt * jump.acceleration;
+}
+
+/// The viscoelastic force of the last evaluation (N), had its dashpot (kg/s) known of a jump;
+/// `separation_jump`: of the velocity along the normal, m/s.
+inline double viscoelastic_before(double evaluated, double damping, double separation_jump) {
+  return evaluated - damping * separation_jump;
+}
+
 /// The jump of another point of the body, `arm` away.
 inline SpatialJump jump_at(const SpatialJump& jump, const double (&arm)[3]) {
   SpatialJump result = jump;

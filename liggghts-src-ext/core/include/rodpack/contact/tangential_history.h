@@ -97,9 +97,9 @@ inline void follow_bodies(const double* en, double dt, ContactJump& jump,
   in_plane(en, jump.velocity);
   in_plane(en, jump.displacement);
   for (int d = 0; d < 3; ++d) {
-    history.spring[d] += jump.displacement[d];
-    for (int k = 0; k < std::min(history.known, history.slots); ++k)
-      history.velocity[k][d] += jump.velocity[d] - k * dt * jump.acceleration[d];
+    follow_jump({jump.acceleration[d], jump.velocity[d], jump.displacement[d]}, dt,
+                history.spring[d], std::min(history.known, history.slots),
+                [&](int k) -> double& { return history.velocity[k][d]; });
   }
 }
 
