@@ -11,7 +11,8 @@ namespace {
 
 /// What the dashpots, as far as they act, did not know of such jumps.
 ForceChange change_of_dashpots(const PlanarContact& contact, const ContactJumpComponent& normal,
-                               const ContactJumpComponent& tangential, bool pushes, bool slides, double dt) {
+                               const ContactJumpComponent& tangential, bool pushes, bool slides,
+                               double dt) {
   const double gamma_n = pushes ? contact.gamman : 0.0, gamma_t = slides ? 0.0 : contact.gammat;
   const auto force = [&](double along_normal, double along_tangent, double(&result)[3]) {
     const Vector2<double> vector =
@@ -65,7 +66,7 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   lasting.inverse_stiffness.inverse = law.inverse_kt;
   lasting.tangential_damping = contact.gammat;
   lasting.tangential_velocity = contact.tangential_velocity();
-  lasting.cap = law.friction * contact.deltan;
+  lasting.cap = coulomb_cap(law.friction, contact.deltan);
   lasting.slid = (head.sliding & bit) != 0;
   const LastingForce<OneContact> force = lasting_force(lasting, 0.0, true);
   if (force.changes) return false;

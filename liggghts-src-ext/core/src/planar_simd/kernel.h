@@ -79,7 +79,7 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   contact.spring = contact.spring_before;
   for (int k = 0; k < forces.order; ++k)
     contact.spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
-  contact.cap = friction * motion.overlap;
+  contact.cap = coulomb_cap(friction, motion.overlap);
   contact.slid = lanes_of_bits(sliding);
   const LastingForce<LaneContacts> force = lasting_force(contact, zero, forces.follows);
 
