@@ -15,7 +15,7 @@
 #include "modify.h"
 #include "mpi_liggghts.h"
 #include "multisphere_fix.h"
-#include "rodpack/motion/multistep.h"
+#include "rodpack/motion/rigid_motion.h"
 #include "stop_run.h"
 #include "style_arguments.h"
 #include "update.h"
@@ -125,7 +125,9 @@ void FixNVESphereAB::advance(int i) {
     // Velocities before birth follow from the force at birth, held constant; forces stay unknown.
     for (int k = 1; k < order_; ++k)
       for (int d = 0; d < RATES; ++d)
-        history[k][d] = d < ACCELERATION ? v[d] - k * dt * history[0][ACCELERATION + d] : 0.0;
+        history[k][d] = d < ACCELERATION ? rodpack::velocity_before_birth(
+                                               v[d], history[0][ACCELERATION + d], k * dt)
+                                         : 0.0;
     state[TIMESTEP] = dt;
     state[ORDER] = order_;
   } else {
