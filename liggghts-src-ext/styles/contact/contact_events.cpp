@@ -127,7 +127,7 @@ ContactEvents::Contact ContactEvents::as_if_in_contact(const ClosePair& pair) co
   contact.omega_i = atom->omega[pair.i];
   if (!pair.is_wall) {
     contact.mj = atom->rmass[pair.j];
-    contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
+    contact.meff = rodpack::effective_mass(contact.mi, contact.mj);
     contact.omega_j = atom->omega[pair.j];
   }
   rodpack::complete_contact(contact);

@@ -23,6 +23,11 @@ struct OneContact {
 
 #include "contact_formulas.h"
 
+/// Effective mass of two particles in contact, m_i m_j / (m_i + m_j), kg.
+inline double effective_mass(double mass_i, double mass_j) {
+  return mass_i * mass_j / (mass_i + mass_j);
+}
+
 /// Dashpot constant c = 2 eta sqrt(m_ij k_ij), kg/s, from the damping ratio eta (1: critical), the
 /// effective mass (kg; for a wall the particle's own mass) and the contact stiffness (N/m).
 inline double damping_coefficient(double damping_ratio, double effective_mass, double stiffness) {
