@@ -58,7 +58,7 @@ void ContactEvents::disarm() {
   if (armed_ == this) armed_ = NULL;
 }
 
-ContactEvents::Changes ContactEvents::changes(int i) const {
+ContactEvents::SphereChanges ContactEvents::changes(int i) const {
   const double* const force = force_changes_->array_atom[i];
   const double* const torque = torque_changes_->array_atom[i];
   return {

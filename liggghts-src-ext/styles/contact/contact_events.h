@@ -59,11 +59,11 @@ class ContactEvents : protected Pointers {
   bool collect();
   /// Atoms whose forces have changed, with ghosts.
   const std::vector<int>& changed() const { return changed_; }
-  struct Changes {
+  struct SphereChanges {
     rodpack::BodyChange sum;  // torque about the centre of the sphere
     double jumps;             // how many of the forces jumped
   };
-  Changes changes(int i) const;
+  SphereChanges changes(int i) const;
   /// Forgets the changes.
   void clear();
   /// Whether, on any rank, accelerations have jumped, so that the integrator has to publish.

@@ -6,6 +6,7 @@
 #include <vector>
 #include "contact_interface.h"
 #include "pointers.h"
+#include "rodpack/contact/contact_pairs.h"
 
 namespace LAMMPS_NS {
 
@@ -24,6 +25,13 @@ struct ContactRecord {
   double damping_n, damping_t, effective_mass;
   int type_i, type_j;  // atom types; of a wall its material
 };
+
+/// The contact of a record as one of particles, which knows their centres of mass in the periodic
+/// images that touch; for a wall the id is 0 and the contact point stands for the centre.
+/// `centres` by ParticleIdentity::all_body_centres().
+rodpack::SphereContact contact_of(const ContactRecord& record,
+                                  const class ParticleIdentity& particles,
+                                  const std::vector<rodpack::Vector>& centres);
 
 /// Lists the contacts of this step. `collect` evaluates the contact forces of the pair style and of
 /// all wall/gran fixes once more, at the present positions and velocities, without touching forces,

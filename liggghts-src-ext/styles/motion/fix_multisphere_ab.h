@@ -98,10 +98,10 @@ class FixMultisphereAB : public FixMultisphere {
   MultistepOptions options_;
   int order_;
   bool planar_;
-  std::unique_ptr<ContactEvents> events_;        // none with `events no` or order 1
-  std::vector<int> changed_bodies_;              // whose contacts had events in this step,
-  std::vector<ContactEvents::Changes> changes_;  // and the sum over these
-  std::vector<int> place_;                       // of a body in both; -1: not there
+  std::unique_ptr<ContactEvents> events_;              // none with `events no` or order 1
+  std::vector<int> changed_bodies_;                    // whose contacts had events in this step,
+  std::vector<ContactEvents::SphereChanges> changes_;  // and the sum over these
+  std::vector<int> place_;                             // of a body in both; -1: not there
   /// Values per body that the base class writes to a restart file ahead of ours.
   int stock_restart_size_;
 

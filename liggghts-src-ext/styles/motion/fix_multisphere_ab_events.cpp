@@ -57,7 +57,7 @@ void FixMultisphereAB::sum_changes() {
     if (place_[body] < 0) {
       place_[body] = static_cast<int>(changed_bodies_.size());
       changed_bodies_.push_back(body);
-      changes_.push_back(ContactEvents::Changes());
+      changes_.push_back(ContactEvents::SphereChanges());
     }
     double unwrapped[3], lever[3], rate[3];
     domain->unmap(atom->x[i], atom->image[i], unwrapped);
@@ -66,8 +66,8 @@ void FixMultisphereAB::sum_changes() {
       rate[d] = atom->v[i][d] - vcm_(body)[d];
     }
     if (i >= atom->nlocal) domain->minimum_image(lever[0], lever[1], lever[2]);
-    const ContactEvents::Changes change = events_->changes(i);
-    ContactEvents::Changes& of_body = changes_[place_[body]];
+    const ContactEvents::SphereChanges change = events_->changes(i);
+    ContactEvents::SphereChanges& of_body = changes_[place_[body]];
     of_body.sum.force += change.sum.force;
     of_body.sum.torque += change.sum.torque;
     of_body.sum.torque += rodpack::torque_change(lever, rate, change.sum.force);
