@@ -36,9 +36,7 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   Lanes vx, vy;
   each_two(frame, body_velocity, vx, vy);
   const Vector2<Lanes> of_centre = {vx, vy};
-  const Vector2<Lanes> velocity = velocity_at(of_centre, spin, motion.lever_i);
-  motion.separation_velocity = dot(velocity, motion.normal);
-  motion.tangential_velocity = cross_z(motion.normal, velocity);
+  set_velocities(motion, velocity_at(of_centre, spin, motion.lever_i));
   int sliding = flags.sliding;
   const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);

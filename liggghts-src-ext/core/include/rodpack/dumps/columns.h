@@ -6,7 +6,8 @@
 
 /// What the text dumps of bodies, spheres and contacts hold: the styles write these columns, the
 /// post-processor reads them, liggghts-src-ext/doc explains them. Each dump has its columns by
-/// name, all of them in the order of the file, and a row of values in the same order.
+/// name, all of them in the order of the file, and a row of values in the same order. These are the
+/// formats that styles and post-processor share: so, of the whole core, this file names styles.
 namespace rodpack {
 
 /// One column: its name in the dump's header line, and the SI unit of its values, empty for a pure
