@@ -66,12 +66,17 @@ ContactEvents::SphereChanges ContactEvents::changes(int i) const {
       force[force_values - 1]};
 }
 
-ContactEvents::StampedJump& ContactEvents::stored(FixPropertyAtom* property, int i) const {
+ContactEvents::StampedJump& ContactEvents::stored(FixPropertyAtom* property, int i) {
   static_assert(offsetof(StampedJump, jump) == 0 &&
                     offsetof(StampedJump, step) == sizeof(SpatialJump) &&
                     sizeof(StampedJump) == 19 * sizeof(double),
                 "jumps are stored, in restart files too, as plain doubles");
   return *reinterpret_cast<StampedJump*>(property->array_atom[i]);
+}
+
+const ContactEvents::StampedJump& ContactEvents::stored(const FixPropertyAtom* property,
+                                                        int i) const {
+  return *reinterpret_cast<const StampedJump*>(property->array_atom[i]);
 }
 
 void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool jumps) {
@@ -99,7 +104,7 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
 
 const SpatialJump* ContactEvents::last_jump(int i) const {
   const double now = static_cast<double>(update->ntimestep);
-  for (FixPropertyAtom* property : {last_jump_, jump_before_})
+  for (const FixPropertyAtom* property : {last_jump_, jump_before_})
     if (stored(property, i).step == now) return &stored(property, i).jump;
   return NULL;
 }

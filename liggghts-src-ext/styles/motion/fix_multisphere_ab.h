@@ -76,7 +76,7 @@ class FixMultisphereAB : public FixMultisphere {
   void restart_history_after_change();
   void require_planar(int body);
   void require_inertia(int body);
-  void body_error(int body, const char* what);
+  [[noreturn]] void body_error(int body, const char* what);
   double moment_about_z(int body) const;
   void advance_planar(int body);
   void advance_spatial(int body);

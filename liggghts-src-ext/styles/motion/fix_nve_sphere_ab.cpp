@@ -8,9 +8,7 @@
 
 #include "atom.h"
 #include "atom_property.h"
-#include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_property_atom.h"
 #include "modify.h"
 #include "mpi_liggghts.h"
@@ -89,12 +87,9 @@ void FixNVESphereAB::restart_history_after_change() {
     }
   }
   MPI_Sum_Scalar(restarted, world);
-  if (restarted > 0 && comm->me == 0) {
-    const std::string text = "Fix " + std::string(style) +
-                             ": new time step or order, so the history of " +
-                             std::to_string(restarted) + " spheres starts anew";
-    error->warning(FLERR, text.c_str());
-  }
+  if (restarted > 0)
+    warn_of_new_histories(*this, lmp, "new time step or order",
+                          std::to_string(restarted) + " spheres");
 }
 
 void* FixNVESphereAB::extract(const char* name, int& dimension) {

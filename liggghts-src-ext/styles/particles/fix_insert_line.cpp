@@ -191,7 +191,7 @@ std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Draw>& 
 /// Spheres of a line in the order of x, to find those near a place without going through all.
 class FixInsertLine::SpheresAlongX {
  public:
-  /// `period` of x; 0: none
+  /// `period` is that of the scene along x, m; 0 where it is not periodic.
   SpheresAlongX(const std::vector<Sphere>& spheres, double period) : widest_(0.0), period_(period) {
     for (const Sphere& sphere : spheres) {
       sorted_.push_back(&sphere);
