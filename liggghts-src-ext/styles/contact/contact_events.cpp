@@ -149,7 +149,7 @@ bool ContactEvents::collect() {
   local_jump_ = false;
   if (state == 0) return false;
 
-  // in the order of the atoms, whatever that of the contacts
+  // Sums are made in the order of the atoms, whatever that of the contacts.
   std::sort(changed_.begin(), changed_.end());
   if (comm->nprocs > 1) {
     force_changes_->do_forward_comm();

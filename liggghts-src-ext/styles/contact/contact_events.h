@@ -20,8 +20,8 @@ class ContactEvents : protected Pointers {
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::SurfacesCloseData ClosePair;
 
-  /// `bodies`: whose spheres are corrected. A contact of a sphere that belongs to none has no
-  /// events: what its partner would gain, it would not lose.
+  /// `bodies` holds those whose spheres are corrected. A contact of a sphere that belongs to none
+  /// has no events: what its partner would gain, it would not lose.
   ContactEvents(class LAMMPS* lmp, const class FixMultisphere* bodies)
       : Pointers(lmp), bodies_(bodies) {}
   ~ContactEvents() { disarm(); }
@@ -105,7 +105,8 @@ class ContactEvents : protected Pointers {
   std::vector<char> is_changed_;  // of each atom, whether it is in that list
   bool local_jump_ = false, any_jumped_ = false;
   bigint last_step_ = -1;
-  // Whether motions may have changed in this step, in the last one; unknown after a restart.
+  // Whether jumps may have changed motions in this step, and whether in the last one; after a
+  // restart that is not known.
   bool pending_ = true, follows_jump_ = true;
 };
 

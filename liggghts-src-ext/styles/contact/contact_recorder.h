@@ -39,7 +39,7 @@ rodpack::SphereContact contact_of(const ContactRecord& record,
 /// is armed meanwhile.
 class ContactRecorder : protected Pointers {
  public:
-  /// `caller`: who wants the contacts, as messages name it: "compute contact/energy".
+  /// `caller` is the style that wants the contacts, as messages name it: "compute contact/energy".
   ContactRecorder(class LAMMPS* lmp, const std::string& caller) : Pointers(lmp), caller_(caller) {}
 
   /// Stops if a contact model that runs does not report.
@@ -49,7 +49,7 @@ class ContactRecorder : protected Pointers {
   /// in two lists; one of them is primary. Stops if the contacts are not known yet. Collective.
   const std::vector<ContactRecord>& collect();
 
-  /// For the models: the recorder that is collecting, else null.
+  /// Tells the models which recorder is collecting; null if none is.
   static ContactRecorder* armed() { return armed_; }
   void add_contact(const LIGGGHTS::ContactModels::SurfacesIntersectData& sidata,
                    const LIGGGHTS::ContactModels::ForceData& i_forces);

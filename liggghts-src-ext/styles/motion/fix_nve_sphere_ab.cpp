@@ -21,9 +21,9 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-// layout of one record of rates: velocity, acceleration, angular acceleration
+// A record of rates holds velocity, acceleration and angular acceleration in this order.
 enum { VELOCITY = 0, ACCELERATION = 3, ANGULAR_ACCELERATION = 6, RATES = 9 };
-// layout of the state
+// The state of a sphere holds these values in this order.
 enum { EVALUATIONS = 0, TIMESTEP, ORDER, STATE_VALUES };
 
 FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
@@ -63,7 +63,7 @@ void FixNVESphereAB::init() {
     stop_run(lmp, *this,
              "fix insert/stream, which moves spheres by itself at first, is not supported");
   planar_ = options_.planar();
-  // as fix nve/sphere: in a two-dimensional simulation the particles are discs
+  // As for fix nve/sphere, particles are discs in a two-dimensional simulation.
   inertia_factor_ = domain->dimension == 2 ? 0.5 : 0.4;
   bodies_ = multisphere_fix(modify);
 

@@ -223,7 +223,8 @@ void FixInsertLine::check_overlaps(const std::vector<Draw>& line,
     double depth;
     int rank;
   } worst = {0., comm->me}, all;
-  // the particle of the line; tag of the sphere in its way, 0 for one of another particle of it
+  // Which particle of the line it is, and the tag of the sphere in its way: 0 if that is one of
+  // another particle of the line.
   int found[2] = {-1, 0};
   const auto keep_deepest = [&](const Sphere& sphere, const double* x, double radius, int tag) {
     double dx = x[0] - sphere.x[0], dy = x[1] - sphere.x[1], dz = x[2] - sphere.x[2];

@@ -9,7 +9,7 @@ namespace rodpack {
 
 namespace {
 
-/// What the dashpots, as far as they act, did not know of such jumps.
+/// The change of the force for what the dashpots, as far as they act, did not know of such jumps.
 ForceChange change_of_dashpots(const PlanarContact& contact, const ContactJumpComponent& normal,
                                const ContactJumpComponent& tangential, bool pushes, bool slides,
                                double dt) {
@@ -30,8 +30,8 @@ ForceChange change_of_dashpots(const PlanarContact& contact, const ContactJumpCo
 
 }  // namespace
 
-/// What the general path does with such a contact (normal_history.h, tangential_history.h), along
-/// normal and tangent; false, with nothing done, if it is none.
+/// Does what the general path does with such a contact (normal_history.h, tangential_history.h),
+/// along normal and tangent; false, with nothing done, if it is none.
 bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int lane,
                                         const PlanarContact& contact) {
   const PlanarBlockHead& head = pool.head(place);

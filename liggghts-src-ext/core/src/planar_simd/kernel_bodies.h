@@ -114,8 +114,8 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
   }
 }
 
-/// rigid_motion.h's planar step for these bodies; the rotation by the increment of the angle is
-/// made on cosine and sine.
+/// Moves the bodies as advance() in rigid_motion.h does in the plane, but turns cosine and sine by
+/// the increment of the angle; returns how many bodies it has entered to be listed anew.
 int advance(const PlanarAdvance& arguments) {
   int entries = 0;
   for (int first = arguments.bodies.first; first < arguments.bodies.end; first += body_lanes) {

@@ -56,7 +56,8 @@ inline void stuck_force(const FrictionStep& step, const double (&spring)[3], dou
     force[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
 }
 
-/// By which the force of spring and dashpot was beyond the cap one step ago; `cap`: that of now.
+/// The excess of the force of spring and dashpot over the cap one step ago (N); `cap` is that of
+/// now.
 inline double excess_before(const FrictionStep& step, double cap) {
   double before[3];
   for (int d = 0; d < 3; ++d)

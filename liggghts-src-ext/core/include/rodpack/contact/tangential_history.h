@@ -220,7 +220,8 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
   const double since = past.since;
   for (int d = 0; d < 3; ++d) {
     const double at_touch = trial_force(kt, past.spring[d], gamma, past.velocity[d]);
-    // of spring and dashpot: as the force itself, with velocity and acceleration
+    // The rate of spring and dashpot is their force with velocity and acceleration in the place of
+    // spring and velocity.
     const double applied =
         trial_force(kt, past.velocity[d] - jump.velocity[d], gamma, jump.acceleration[d]);
     missed.rate[d] = (force[d] - at_touch) / dt - applied;

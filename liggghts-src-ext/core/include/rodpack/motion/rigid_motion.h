@@ -164,8 +164,8 @@ inline void fill_kinematic_history(PlanarRates* history, int order, double dt) {
   }
 }
 
-/// The same in three dimensions; the orientation is carried back from `birth` by Runge-Kutta steps
-/// of fourth order. `inertia`: principal moments, kg m^2.
+/// Fills the records before birth in three dimensions; the orientation is carried back from `birth`
+/// by Runge-Kutta steps of fourth order. `inertia`: principal moments, kg m^2.
 void fill_kinematic_history(SpatialRates* history, int order, double dt, const SpatialMotion& birth,
                             const double (&inertia)[3]);
 
