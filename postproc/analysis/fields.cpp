@@ -50,11 +50,11 @@ double averaging_scale(const Packing& packing, const FieldOptions& options) {
   return scale;
 }
 
-std::vector<Contact> read_contacts(const Frame& frame) {
+std::vector<SphereContact> read_contacts(const Frame& frame) {
   const auto& i = frame.column("body_i");
   const auto& j = frame.column("body_j");
   const auto& wall = frame.column("wall");
-  std::vector<Contact> contacts;
+  std::vector<SphereContact> contacts;
   for (std::size_t row = 0; row < frame.rows; ++row)
     contacts.push_back({static_cast<long>(i[row]), static_cast<long>(j[row]), wall[row] != 0,
                         vector_at(frame, {"x", "y", "z"}, row),

@@ -29,7 +29,7 @@ double averaging_scale(const Packing& packing, const FieldOptions& options);
 
 /// Reads the rows of a contacts dump (body_i body_j wall x y z fx fy fz bix biy biz bjx bjy bjz).
 /// @throws DataError when a column is missing.
-std::vector<Contact> read_contacts(const Frame& contacts);
+std::vector<SphereContact> read_contacts(const Frame& contacts);
 
 /// Reads the rows of a bodies dump (id x y z vx vy vz area mass); how many others each touches from
 /// `pairs`.

@@ -100,6 +100,18 @@ void add_bed_options(CLI::App& command, AccuracySettings& settings) {
       ->type_name("N");
 }
 
+void add_places(CLI::App& command, AccuracyArguments& arguments) {
+  command.add_option("OUT", arguments.out, "folder of the results")->required();
+  command
+      .add_option("--liggghts", arguments.settings.liggghts.program,
+                  "program to run [default: liggghts beside this program]")
+      ->type_name("PROGRAM");
+  command
+      .add_option("--inputs", arguments.settings.inputs,
+                  "the folder inputs/; default: that of the repository")
+      ->type_name("FOLDER");
+}
+
 /// Joins names with commas, as the options take them.
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -123,15 +135,7 @@ void add_accuracy(CLI::App& app) {
       "  rodpack accuracy results/accuracy --methods builtin,ab3\n"
       "writes accuracy.csv, accuracy.md and two figures per scene, .png/.svg; beds (which model a "
       "settled bed needs): beds.csv and three figures.");
-  command->add_option("OUT", options->out, "folder of the results")->required();
-  command
-      ->add_option("--liggghts", settings.liggghts.program,
-                   "program to run [default: liggghts beside this program]")
-      ->type_name("PROGRAM");
-  command
-      ->add_option("--inputs", settings.inputs,
-                   "the folder inputs/; default: that of the repository")
-      ->type_name("FOLDER");
+  add_places(*command, *options);
   auto* scenes = command
                      ->add_option("--scenes", settings.scenes,
                                   "scenes [default: " + listed(settings.scenes) + "]")

@@ -24,7 +24,7 @@ using namespace rodpack;
 
 struct Scene {
   std::vector<Particle> particles;
-  std::vector<Contact> contacts;
+  std::vector<SphereContact> contacts;
   double scale;      // w = 3 l_axial, m
   Vector low, high;  // of the grid, m
 };
@@ -45,7 +45,7 @@ Scene read_scene(const std::string& bodies, const std::string& contacts, int til
       scene.particles.push_back(particle);
     }
     const long ids = static_cast<long>(tile) * 10000000;
-    for (Contact contact : contact_rows) {
+    for (SphereContact contact : contact_rows) {
       contact.i += ids;
       contact.j += ids;
       for (Vector* place : {&contact.point, &contact.centre_i, &contact.centre_j})

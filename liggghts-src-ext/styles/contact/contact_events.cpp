@@ -58,7 +58,7 @@ void ContactEvents::disarm() {
   if (armed_ == this) armed_ = NULL;
 }
 
-ContactEvents::Changes ContactEvents::changes(int i) const {
+ContactEvents::SphereChanges ContactEvents::changes(int i) const {
   const double* const force = force_changes_->array_atom[i];
   const double* const torque = torque_changes_->array_atom[i];
   return {
@@ -66,12 +66,17 @@ ContactEvents::Changes ContactEvents::changes(int i) const {
       force[force_values - 1]};
 }
 
-ContactEvents::StampedJump& ContactEvents::stored(FixPropertyAtom* property, int i) const {
+ContactEvents::StampedJump& ContactEvents::stored(FixPropertyAtom* property, int i) {
   static_assert(offsetof(StampedJump, jump) == 0 &&
                     offsetof(StampedJump, step) == sizeof(SpatialJump) &&
                     sizeof(StampedJump) == 19 * sizeof(double),
                 "jumps are stored, in restart files too, as plain doubles");
   return *reinterpret_cast<StampedJump*>(property->array_atom[i]);
+}
+
+const ContactEvents::StampedJump& ContactEvents::stored(const FixPropertyAtom* property,
+                                                        int i) const {
+  return *reinterpret_cast<const StampedJump*>(property->array_atom[i]);
 }
 
 void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool jumps) {
@@ -99,7 +104,7 @@ void ContactEvents::add(const Contact& contact, const ForceChange& on_i, bool ju
 
 const SpatialJump* ContactEvents::last_jump(int i) const {
   const double now = static_cast<double>(update->ntimestep);
-  for (FixPropertyAtom* property : {last_jump_, jump_before_})
+  for (const FixPropertyAtom* property : {last_jump_, jump_before_})
     if (stored(property, i).step == now) return &stored(property, i).jump;
   return NULL;
 }
@@ -127,7 +132,7 @@ ContactEvents::Contact ContactEvents::as_if_in_contact(const ClosePair& pair) co
   contact.omega_i = atom->omega[pair.i];
   if (!pair.is_wall) {
     contact.mj = atom->rmass[pair.j];
-    contact.meff = contact.mi * contact.mj / (contact.mi + contact.mj);
+    contact.meff = rodpack::effective_mass(contact.mi, contact.mj);
     contact.omega_j = atom->omega[pair.j];
   }
   rodpack::complete_contact(contact);
@@ -144,7 +149,7 @@ bool ContactEvents::collect() {
   local_jump_ = false;
   if (state == 0) return false;
 
-  // in the order of the atoms, whatever that of the contacts
+  // Sums are made in the order of the atoms, whatever that of the contacts.
   std::sort(changed_.begin(), changed_.end());
   if (comm->nprocs > 1) {
     force_changes_->do_forward_comm();

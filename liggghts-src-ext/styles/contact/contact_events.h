@@ -16,11 +16,12 @@ namespace LAMMPS_NS {
 /// forces on a sphere travel as the forces do, and the motion of a sphere as its velocity does.
 class ContactEvents : protected Pointers {
  public:
+  /// Has the members that rodpack/contact/contact_motion.h asks of a `Contact`.
   typedef LIGGGHTS::ContactModels::SurfacesIntersectData Contact;
   typedef LIGGGHTS::ContactModels::SurfacesCloseData ClosePair;
 
-  /// `bodies`: whose spheres are corrected. A contact of a sphere that belongs to none has no
-  /// events: what its partner would gain, it would not lose.
+  /// `bodies` holds those whose spheres are corrected. A contact of a sphere that belongs to none
+  /// has no events: what its partner would gain, it would not lose.
   ContactEvents(class LAMMPS* lmp, const class FixMultisphere* bodies)
       : Pointers(lmp), bodies_(bodies) {}
   ~ContactEvents() { disarm(); }
@@ -54,39 +55,43 @@ class ContactEvents : protected Pointers {
 
   void arm();
   void disarm();
-  /// After the forces: whether any rank has events. Then changes() is complete on owned atoms and
-  /// ghosts.
+  /// To be called after the forces: returns whether any rank has events. If so, changes() is
+  /// complete on owned atoms and ghosts.
   bool collect();
-  /// Atoms whose forces have changed, with ghosts.
+  /// Local indices of the atoms whose forces have changed, ghosts among them.
   const std::vector<int>& changed() const { return changed_; }
-  struct Changes {
+  struct SphereChanges {
     rodpack::BodyChange sum;  // torque about the centre of the sphere
     double jumps;             // how many of the forces jumped
   };
-  Changes changes(int i) const;
-  /// Forgets the changes.
+  SphereChanges changes(int i) const;
+  /// Forgets the changes of this step.
   void clear();
   /// Whether, on any rank, accelerations have jumped, so that the integrator has to publish.
   bool jumped() const { return any_jumped_; }
 
-  /// What was published for the next step, null if nothing.
+  /// The jump of an atom that was published for the next step; null if none was.
   const rodpack::SpatialJump* jump_for_next_step(int i) const;
-  /// Before publish() is called for the spheres of the bodies that this rank owns, and after.
+  /// To be called before publish() is called for the spheres of the bodies that this rank owns;
+  /// end_publishing() afterwards.
   void begin_publishing();
-  /// `jump`: of the sphere's centre.
+  /// Tells the contacts of the sphere with local index i, in the next step, of the jump of its
+  /// centre.
   void publish(int i, const rodpack::SpatialJump& jump);
   void end_publishing();
-  /// After the neighbour lists, and with them the ghosts, were made anew.
+  /// Brings the jumps to the ghosts after the neighbour lists, and with them the ghosts, were made
+  /// anew.
   void renew_ghosts();
 
  private:
-  /// As it is stored for each sphere.
+  /// A jump as it is stored for each sphere.
   struct StampedJump {
     rodpack::SpatialJump jump;
     double step;  // at whose end it happened, plus 1; 0: never
   };
   static const int jump_values = sizeof(StampedJump) / sizeof(double);
-  StampedJump& stored(class FixPropertyAtom* property, int i) const;
+  StampedJump& stored(class FixPropertyAtom* property, int i);
+  const StampedJump& stored(const class FixPropertyAtom* property, int i) const;
   const rodpack::SpatialJump* last_jump(int i) const;
   bool find_jump(const Contact& contact, rodpack::ContactJump& jump) const;
 
@@ -100,7 +105,8 @@ class ContactEvents : protected Pointers {
   std::vector<char> is_changed_;  // of each atom, whether it is in that list
   bool local_jump_ = false, any_jumped_ = false;
   bigint last_step_ = -1;
-  // Whether motions may have changed in this step, in the last one; unknown after a restart.
+  // Whether jumps may have changed motions in this step, and whether in the last one; after a
+  // restart that is not known.
   bool pending_ = true, follows_jump_ = true;
 };
 

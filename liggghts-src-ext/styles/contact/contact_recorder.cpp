@@ -8,11 +8,25 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "pair_gran.h"
+#include "particle_identity.h"
 #include "rodpack/contact/contact_law.h"
 #include "stop_run.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
+
+rodpack::SphereContact contact_of(const ContactRecord& record, const ParticleIdentity& particles,
+                                  const std::vector<rodpack::Vector>& centres) {
+  rodpack::SphereContact contact;
+  contact.wall = record.j < 0;
+  contact.i = particles.id_of(record.i);
+  contact.j = contact.wall ? 0 : particles.id_of(record.j);
+  vectorCopy3D(record.point, contact.point.data());
+  vectorCopy3D(record.force, contact.force.data());
+  contact.centre_i = particles.centre_near(record.i, centres);
+  contact.centre_j = contact.wall ? contact.point : particles.centre_near(record.j, centres);
+  return contact;
+}
 
 ContactRecorder* ContactRecorder::armed_ = NULL;
 

@@ -6,6 +6,7 @@
 #include <vector>
 #include "contact_interface.h"
 #include "pointers.h"
+#include "rodpack/contact/contact_pairs.h"
 
 namespace LAMMPS_NS {
 
@@ -25,13 +26,20 @@ struct ContactRecord {
   int type_i, type_j;  // atom types; of a wall its material
 };
 
+/// The contact of a record as one of particles, which knows their centres of mass in the periodic
+/// images that touch; for a wall the id is 0 and the contact point stands for the centre.
+/// `centres` by ParticleIdentity::all_body_centres().
+rodpack::SphereContact contact_of(const ContactRecord& record,
+                                  const class ParticleIdentity& particles,
+                                  const std::vector<rodpack::Vector>& centres);
+
 /// Lists the contacts of this step. `collect` evaluates the contact forces of the pair style and of
 /// all wall/gran fixes once more, at the present positions and velocities, without touching forces,
 /// contact histories or stored wall forces; the spring_dashpot models report to the recorder that
 /// is armed meanwhile.
 class ContactRecorder : protected Pointers {
  public:
-  /// `caller`: who wants the contacts, as messages name it: "compute contact/energy".
+  /// `caller` is the style that wants the contacts, as messages name it: "compute contact/energy".
   ContactRecorder(class LAMMPS* lmp, const std::string& caller) : Pointers(lmp), caller_(caller) {}
 
   /// Stops if a contact model that runs does not report.
@@ -41,7 +49,7 @@ class ContactRecorder : protected Pointers {
   /// in two lists; one of them is primary. Stops if the contacts are not known yet. Collective.
   const std::vector<ContactRecord>& collect();
 
-  /// For the models: the recorder that is collecting, else null.
+  /// Tells the models which recorder is collecting; null if none is.
   static ContactRecorder* armed() { return armed_; }
   void add_contact(const LIGGGHTS::ContactModels::SurfacesIntersectData& sidata,
                    const LIGGGHTS::ContactModels::ForceData& i_forces);

@@ -2,7 +2,6 @@
 #include "fix_wall_gran_solid.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <string>
 
@@ -22,18 +21,18 @@ struct FixWallGranSolid::Arguments {
   std::string plane, bound;
   double position;
 
-  Arguments(LAMMPS* lmp, int narg, char** arg) : position(0.0) {
-    for (int k = 0; k < narg; ++k) {
-      if (std::strcmp(arg[k], "bound") == 0) {
-        bound = k + 1 < narg ? arg[++k] : "nothing";
-        continue;
-      }
-      words.push_back(arg[k]);
-      if (std::strcmp(arg[k], "primitive") != 0 || k + 4 >= narg) continue;
-      plane = arg[k + 3];
-      position =
-          StyleArguments(lmp, narg, arg, k + 4).number("position of the plane", "a number in m");
+  Arguments(LAMMPS* lmp, int narg, char** arg) : words(arg, arg + narg), position(0.0) {
+    StyleArguments wall(lmp, narg, arg), side(lmp, narg, arg);
+    if (wall.find("primitive") >= 0 && wall.left() >= 4) {
+      wall.word("primitive", "type");
+      wall.word("type", "an atom type");
+      plane = wall.word("primitive", "a plane");
+      position = wall.number("position of the plane", "a number in m");
     }
+    const int place = side.find("bound");
+    if (place < 0) return;
+    bound = side.word("bound", "lo or hi");
+    words.erase(words.begin() + place, words.begin() + place + 2);
   }
 };
 

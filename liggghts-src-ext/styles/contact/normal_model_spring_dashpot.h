@@ -18,6 +18,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #include "rodpack/contact/contact_history.h"
 #include "rodpack/contact/contact_law.h"
 #include "rodpack/contact/normal_history.h"
+#include "stop_run.h"
 #include "update.h"
 
 namespace LIGGGHTS {
@@ -34,16 +35,15 @@ inline MatrixProperty* create_damping_ratio_tangential(PropertyRegistry& registr
 }
 
 /// Stops unless low <= value < high (low itself excluded when `positive`) for every pair of types.
-inline void check_type_pairs(Error* error, int ntypes, double** values, const char* property,
+inline void check_type_pairs(LAMMPS* lmp, int ntypes, double** values, const char* property,
                              bool positive, double high, const char* expected) {
   for (int i = 1; i <= ntypes; ++i) {
     for (int j = 1; j <= ntypes; ++j) {
       const double value = values[i][j];
       if ((positive ? value > 0.0 : value >= 0.0) && value < high) continue;
-      const std::string text = std::string("property/global ") + property + ": value " +
-                               std::to_string(value) + " for types " + std::to_string(i) + " and " +
-                               std::to_string(j) + ", expected " + expected;
-      error->all(FLERR, text.c_str());
+      stop_run(lmp, std::string("property/global ") + property + ": value " +
+                        std::to_string(value) + " for types " + std::to_string(i) + " and " +
+                        std::to_string(j) + ", expected " + expected);
     }
   }
 }
@@ -56,7 +56,8 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
  public:
   NormalModel(LAMMPS* lmp, IContactHistorySetup* hsetup, ContactModelBase* c)
       : NormalModelBase(lmp, hsetup, c),
-        // The label of the viscoelastic force, as restart files have it since the first version.
+        // These labels stay for the sake of old restart files, in which they stand: "uncut" is the
+        // viscoelastic force, "fresh" is set where the contact has just touched.
         offset_(hsetup->add_history_value("spring_dashpot_uncut", "0")),
         kn_(NULL),
         kt_(NULL),
@@ -83,10 +84,10 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
 
     const int ntypes = registry.max_type();
     const double no_limit = 1e300;
-    check_type_pairs(error, ntypes, kn_, "kn", true, no_limit, "a stiffness > 0 (N/m)");
-    check_type_pairs(error, ntypes, kt_, "kt", true, no_limit, "a stiffness > 0 (N/m)");
-    check_type_pairs(error, ntypes, eta_n_, "dampingRatioNormal", false, 1.0, "0 <= ratio < 1");
-    check_type_pairs(error, ntypes, eta_t_, "dampingRatioTangential", false, 1.0, "0 <= ratio < 1");
+    check_type_pairs(lmp, ntypes, kn_, "kn", true, no_limit, "a stiffness > 0 (N/m)");
+    check_type_pairs(lmp, ntypes, kt_, "kt", true, no_limit, "a stiffness > 0 (N/m)");
+    check_type_pairs(lmp, ntypes, eta_n_, "dampingRatioNormal", false, 1.0, "0 <= ratio < 1");
+    check_type_pairs(lmp, ntypes, eta_t_, "dampingRatioTangential", false, 1.0, "0 <= ratio < 1");
     if (force->cg_active()) error->cg(FLERR, caller);
   }
 
@@ -139,7 +140,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
 
   /// Keeps the history of a contact under the force `viscoelastic`, before its cut-off at 0, and
   /// reports its events.
-  void follow(const SurfacesIntersectData& contact, double viscoelastic) const {
+  void follow(const SurfacesIntersectData& contact, double viscoelastic) {
     if (!contact.computeflag) return;
     double* const stored = contact.contact_history + offset_;
     rodpack::NormalHistory history = rodpack::unpack_normal(stored);

@@ -11,13 +11,13 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 #include "contact_events.h"
 #include "contact_models.h"
 #include "contact_recorder.h"
-#include "error.h"
 #include "fix.h"
 #include "global_properties.h"
 #include "modify.h"
 #include "normal_model_spring_dashpot.h"
 #include "rodpack/motion/multistep.h"
 #include "rodpack/contact/tangential_history.h"
+#include "stop_run.h"
 #include "tangential_model_base.h"
 #include "update.h"
 
@@ -52,9 +52,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   void postSettings(IContactHistorySetup* hsetup, ContactModelBase*) {
     slots_ = static_cast<int>(slots_setting_);
     if (slots_ != slots_setting_ || slots_ < 1 || slots_ > rodpack::max_multistep_order) {
-      const std::string text = "tangential spring_dashpot: multistepOrder is " +
-                               std::to_string(slots_setting_) + ", expected 1, 2, 3 or 4";
-      error->all(FLERR, text.c_str());
+      stop_run(lmp, "tangential spring_dashpot: multistepOrder is " +
+                        std::to_string(slots_setting_) + ", expected 1, 2, 3 or 4");
     }
     for (int value = 0; value < 3 * (slots_ + 1); ++value) {
       const int index = hsetup->add_history_value("spring_dashpot_" + std::to_string(value), "1");
@@ -70,21 +69,19 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
 
   void connectToProperties(PropertyRegistry& registry) {
     if (offset_ < 0)
-      error->all(FLERR,
-                 "tangential spring_dashpot: repeat the pair_style command after read_restart");
+      stop_run(lmp, "tangential spring_dashpot: repeat the pair_style command after read_restart");
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
     registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
-    check_type_pairs(error, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
+    check_type_pairs(lmp, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
                      "a coefficient >= 0");
     order_ = running_order();
     events_ = followed_events();
     if (order_ > slots_) {
       const std::string order = std::to_string(order_);
-      const std::string text = "tangential spring_dashpot: the integrator that runs is of order " +
-                               order + ", but the contact history is made for multistepOrder " +
-                               std::to_string(slots_) + ": append 'multistepOrder " + order +
-                               "' to pair_style gran and every fix wall/gran";
-      error->all(FLERR, text.c_str());
+      stop_run(lmp, "tangential spring_dashpot: the integrator that runs is of order " + order +
+                        ", but the contact history is made for multistepOrder " +
+                        std::to_string(slots_) + ": append 'multistepOrder " + order +
+                        "' to pair_style gran and every fix wall/gran");
     }
   }
 
@@ -134,8 +131,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       const int* found = static_cast<int*>(modify->fix[i]->extract("multistep_order", dim));
       if (!found) continue;
       if (order != 0 && order != *found)
-        error->all(FLERR,
-                   "tangential spring_dashpot: all multistep integrators need the same order");
+        stop_run(lmp, "tangential spring_dashpot: all multistep integrators need the same order");
       order = *found;
     }
     return order;

@@ -42,9 +42,13 @@ void read_points(const StyleArguments& arguments, const std::string& name, Words
   for (int number = 1; std::getline(file, line); ++number) {
     std::istringstream row(line.substr(0, line.find('#')));
     std::vector<double> values;
-    for (double value = 0.0; row >> value;) values.push_back(value);
-    if (values.empty() && row.eof()) continue;
-    if (!row.eof() || static_cast<int>(values.size()) != words.dimension)
+    bool numbers = true;
+    for (std::string text; row >> text;) {
+      values.push_back(0.0);
+      numbers = read_number(text, values.back()) && numbers;
+    }
+    if (values.empty()) continue;
+    if (!numbers || static_cast<int>(values.size()) != words.dimension)
       arguments.fail("points: " + name + ":" + std::to_string(number) + ": expected " +
                      std::to_string(words.dimension) + " coordinates (m), found '" + line + "'");
     rodpack::Vector point{{0.0, 0.0, 0.0}};

@@ -66,9 +66,9 @@ void ComputeStressGoldhirsch::compute_array() {
 void ComputeStressGoldhirsch::evaluate() {
   const ParticleIdentity particles(lmp);
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
-  std::vector<rodpack::Contact> contacts;
+  std::vector<rodpack::SphereContact> contacts;
   for (const ContactRecord& record : recorder_.collect())
-    if (record.primary) contacts.push_back(particles.contact_of(record, centres));
+    if (record.primary) contacts.push_back(contact_of(record, particles, centres));
   rodpack::ContactPairs own = rodpack::sum_pairs(std::move(contacts));
 
   std::vector<double>& sums = averages_.sums();

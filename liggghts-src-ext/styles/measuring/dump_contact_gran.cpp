@@ -26,9 +26,9 @@ void DumpContactGran::list_rows() {
   for (const ContactRecord& contact : recorder_.collect()) {
     if (!contact.primary) continue;
     const bool wall = contact.j < 0;
-    const rodpack::Contact ends = particles.contact_of(contact, centres);
+    const rodpack::SphereContact ends = contact_of(contact, particles, centres);
 
-    rodpack::contact_dump::Row row;
+    rodpack::contact_dump::ContactRow row;
     row.body_i = static_cast<double>(ends.i);
     row.body_j = static_cast<double>(ends.j);
     row.sphere_i = atom->tag[contact.i];

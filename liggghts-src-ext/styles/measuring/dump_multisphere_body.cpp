@@ -52,7 +52,7 @@ void DumpMultisphereBody::list_bodies(const ParticleIdentity& particles) {
   double** const axis = data.extract_double_vector("ex_space");
   auto& type = *data.prop().getElementProperty<ScalarContainer<int>>("clumptype");
   for (int k = 0; k < data.n_body(); ++k) {
-    rodpack::body_dump::Row row;
+    rodpack::body_dump::BodyRow row;
     row.id = data.tag(k);
     row.type = type(k);
     row.nspheres = data.nrigid(k);
@@ -75,7 +75,7 @@ void DumpMultisphereBody::list_plain_spheres(const ParticleIdentity& particles) 
   for (int i = 0; i < atom->nlocal; ++i) {
     if (particles.body_of(i) >= 0) continue;
     const double radius = atom->radius[i];
-    rodpack::body_dump::Row row = {};
+    rodpack::body_dump::BodyRow row = {};
     row.id = particles.id_of(i);
     row.type = atom->type[i];
     row.nspheres = 1.0;

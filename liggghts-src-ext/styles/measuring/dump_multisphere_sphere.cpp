@@ -38,7 +38,7 @@ void DumpMultisphereSphere::list_rows() {
 
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    rodpack::sphere_dump::Row row;
+    rodpack::sphere_dump::SphereRow row;
     row.id = atom->tag[i];
     row.body = particles.id_of(i);
     row.type = atom->type[i];

@@ -10,7 +10,7 @@
 
 namespace LAMMPS_NS {
 
-/// `name` with its * replaced by the step, padded with zeros to `width` digits.
+/// Returns `name` with its * replaced by the step, padded with zeros to `width` digits.
 std::string name_at_step(std::string name, long long step, int width);
 
 /// Base of our dumps: writes a LIGGGHTS text dump with fixed columns, whose rows the derived style
@@ -21,7 +21,7 @@ class TableDump : public Dump {
   TableDump(class LAMMPS* lmp, int narg, char** arg);
 
  protected:
-  /// `label` is ATOMS or ENTRIES.
+  /// Sets the columns of the file; `label` is ATOMS or ENTRIES, as the header lines have it.
   template <std::size_t number>
   void set_columns(const std::string& label, const rodpack::DumpColumn (&columns)[number]) {
     label_ = label;
@@ -30,7 +30,7 @@ class TableDump : public Dump {
   }
   /// Calls add_row() for each row of this rank.
   virtual void list_rows() = 0;
-  /// `id`: what 'dump_modify sort id' sorts by; `row`: one value per column.
+  /// Adds a row, which has one value per column; `id` is what 'dump_modify sort id' sorts by.
   template <class Row>
   void add_row(int id, const Row& row) {
     static_assert(sizeof(Row) % sizeof(double) == 0, "a row consists of doubles");

@@ -9,7 +9,7 @@ namespace LAMMPS_NS {
 /// Base of our computes of a few global numbers: a vector, and a scalar that follows from it.
 class VectorCompute : public Compute {
  public:
-  /// `extensive`: whether the numbers grow with the system.
+  /// The scalar and vector of a compute; `extensive` tells whether they grow with the system.
   VectorCompute(class LAMMPS* lmp, int& iarg, int narg, char** arg, int values, bool extensive);
   ~VectorCompute();
   void init() {}

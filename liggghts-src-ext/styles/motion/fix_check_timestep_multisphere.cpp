@@ -151,7 +151,7 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
     if (!record.primary) continue;
     const bool sticks =
         record.kt > 0.0 && property("coefficientFriction", record.type_i, record.type_j) > 0.0;
-    const rodpack::Contact contact = particles.contact_of(record, centres);
+    const rodpack::SphereContact contact = contact_of(record, particles, centres);
     if (contact.i == contact.j) continue;  // with its own periodic image
     NetworkContact one = {};
     one.i = static_cast<int>(contact.i);

@@ -6,12 +6,12 @@
 #include <cstring>
 #include <string>
 
-#include "error.h"
 #include "math_extra.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "planar_owners.h"
 #include "rodpack/motion/rigid_motion.h"
+#include "stop_run.h"
 #include "style_arguments.h"
 #include "update.h"
 
@@ -52,7 +52,7 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
       fflag_(property<VectorContainer<bool, 3> >(multisphere_, "fflag")),
       tflag_(property<VectorContainer<bool, 3> >(multisphere_, "tflag")) {
   if (modify->n_fixes_style("multisphere") > 0)
-    ms_error(FLERR, "only one fix multisphere can hold the bodies, and there is one already");
+    stop_run(lmp, *this, "only one fix multisphere can hold the bodies, and there is one already");
   parse(narg, arg);
   order_ = options_.order();
   planar_ = options_.planar();
@@ -78,8 +78,8 @@ void FixMultisphereAB::parse(int narg, char** arg) {
     else if (keyword == "events")
       events = arguments.yes_or_no(keyword);
     else if (!options_.read(keyword, arguments))
-      arguments.fail("unknown keyword '" + keyword +
-                     "', expected order, planar, events, allow_group_and_set or allow_heatsource");
+      arguments.reject_keyword(keyword,
+                               "order, planar, events, allow_group_and_set or allow_heatsource");
   }
   // First order has nothing to lose at an event.
   if (events && options_.order() > 1) events_.reset(new ContactEvents(lmp, this));
@@ -98,9 +98,10 @@ void FixMultisphereAB::post_create() {
 void FixMultisphereAB::init() {
   FixMultisphere::init();
   if (modify->n_fixes_style("multisphere") > 1)
-    ms_error(FLERR, "only one fix multisphere can hold the bodies, but there are more");
+    stop_run(lmp, *this, "only one fix multisphere can hold the bodies, but there are more");
   if (modify->n_fixes_style("insert/stream") > 0)
-    ms_error(FLERR, "fix insert/stream, which moves bodies by itself at first, is not supported");
+    stop_run(lmp, *this,
+             "fix insert/stream, which moves bodies by itself at first, is not supported");
   planar_ = options_.planar();
   if (events_) events_->init();
   restart_history_after_change();
@@ -277,7 +278,5 @@ void FixMultisphereAB::require_inertia(int body) {
 }
 
 void FixMultisphereAB::body_error(int body, const char* what) {
-  const std::string text = std::string("Fix ") + style + " (id " + id + "): body " +
-                           std::to_string(data().tag(body)) + ": " + what;
-  error->one(FLERR, text.c_str());
+  stop_run_from_one_rank(lmp, *this, "body " + std::to_string(data().tag(body)) + ": " + what);
 }

@@ -42,11 +42,11 @@ class FixMultisphereAB : public FixMultisphere {
   void restart(char*) override;
 
   using FixMultisphere::extract;
-  /// For the contact models: "multistep_order", the order, int*; "contact_events", ContactEvents*,
-  /// null unless events are followed.
+  /// Tells contact models the "multistep_order", an int*, and the "contact_events", a
+  /// ContactEvents*, which is null unless events are followed.
   void* extract(const char*, int&) override;
 
-  // for run_style verlet/planar (fix_multisphere_ab_planar.cpp)
+  // The planar engine takes bodies over and gives them back (fix_multisphere_ab_planar.cpp).
   int order() const { return order_; }
   bool planar() const { return planar_; }
   bool follows_events() const { return events_ != NULL; }
@@ -59,7 +59,7 @@ class FixMultisphereAB : public FixMultisphere {
   void restore_loads();
 
  private:
-  // one record of rates of a body: as many values as rodpack::PlanarRates, rodpack::SpatialRates
+  // A record of a body has as many values as rodpack::PlanarRates, or rodpack::SpatialRates.
   typedef VectorContainer<double, 6> PlanarRecord;
   typedef VectorContainer<double, 13> SpatialRecord;
 
@@ -76,7 +76,7 @@ class FixMultisphereAB : public FixMultisphere {
   void restart_history_after_change();
   void require_planar(int body);
   void require_inertia(int body);
-  void body_error(int body, const char* what);
+  [[noreturn]] void body_error(int body, const char* what);
   double moment_about_z(int body) const;
   void advance_planar(int body);
   void advance_spatial(int body);
@@ -87,7 +87,7 @@ class FixMultisphereAB : public FixMultisphere {
   void read_jump(const std::vector<int>& atoms, rodpack::PlanarBody& planar);
   void publish_jump(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
 
-  // events of contacts
+  // What events of contacts do to the bodies (fix_multisphere_ab_events.cpp).
   void apply_events();
   void sum_changes();
   rodpack::SpatialJump correct_planar(int body, const rodpack::BodyChange& sum);
@@ -98,14 +98,14 @@ class FixMultisphereAB : public FixMultisphere {
   MultistepOptions options_;
   int order_;
   bool planar_;
-  std::unique_ptr<ContactEvents> events_;        // none with `events no` or order 1
-  std::vector<int> changed_bodies_;              // whose contacts had events in this step,
-  std::vector<ContactEvents::Changes> changes_;  // and the sum over these
-  std::vector<int> place_;                       // of a body in both; -1: not there
+  std::unique_ptr<ContactEvents> events_;              // none with `events no` or order 1
+  std::vector<int> changed_bodies_;                    // whose contacts had events in this step,
+  std::vector<ContactEvents::SphereChanges> changes_;  // and the sum over these
+  std::vector<int> place_;                             // of a body in both; -1: not there
   /// Values per body that the base class writes to a restart file ahead of ours.
   int stock_restart_size_;
 
-  // history of each body; the newest rates are not kept, they follow from the state
+  // The history of each body. The newest rates are not kept: they follow from the state.
   ScalarContainer<int>* layout_;       // what the records below hold; negative
   ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at order + 1
   ScalarContainer<double>* timestep_;  // the rates are this far apart, s
@@ -119,7 +119,7 @@ class FixMultisphereAB : public FixMultisphere {
   std::vector<PlanarRecord*> past_planar_;
   std::vector<SpatialRecord*> past_spatial_;
 
-  // state of each body, kept by the base class
+  // The state of each body, which the base class keeps.
   typedef VectorContainer<double, 3> Vectors;
   ScalarContainer<double>& mass_;
   Vectors &xcm_, &vcm_, &fcm_, &torque_, &angmom_, &omega_, &inertia_, &ex_, &ey_, &ez_;

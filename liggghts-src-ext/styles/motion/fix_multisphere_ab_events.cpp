@@ -57,7 +57,7 @@ void FixMultisphereAB::sum_changes() {
     if (place_[body] < 0) {
       place_[body] = static_cast<int>(changed_bodies_.size());
       changed_bodies_.push_back(body);
-      changes_.push_back(ContactEvents::Changes());
+      changes_.push_back(ContactEvents::SphereChanges());
     }
     double unwrapped[3], lever[3], rate[3];
     domain->unmap(atom->x[i], atom->image[i], unwrapped);
@@ -66,8 +66,8 @@ void FixMultisphereAB::sum_changes() {
       rate[d] = atom->v[i][d] - vcm_(body)[d];
     }
     if (i >= atom->nlocal) domain->minimum_image(lever[0], lever[1], lever[2]);
-    const ContactEvents::Changes change = events_->changes(i);
-    ContactEvents::Changes& of_body = changes_[place_[body]];
+    const ContactEvents::SphereChanges change = events_->changes(i);
+    ContactEvents::SphereChanges& of_body = changes_[place_[body]];
     of_body.sum.force += change.sum.force;
     of_body.sum.torque += change.sum.torque;
     of_body.sum.torque += rodpack::torque_change(lever, rate, change.sum.force);
@@ -80,16 +80,7 @@ SpatialJump FixMultisphereAB::correct_planar(int body, const BodyChange& sum) {
   const SpatialJump jump = rodpack::to_space(correction.missed(sum));
   keep_missed_motion(body, jump, sum.torque.impulse);
   if (evaluations_->get(body) == 0) return jump;  // no past yet
-  for (int k = 1; k < order_; ++k) {
-    const rodpack::PlanarRates gain = correction.past(sum, k * update->dt);
-    rodpack::PlanarRates& rates = *planar_record(body, k);
-    for (int d = 0; d < 2; ++d) {
-      rates.velocity[d] += gain.velocity[d];
-      rates.acceleration[d] += gain.acceleration[d];
-    }
-    rates.angular_velocity += gain.angular_velocity;
-    rates.angular_acceleration += gain.angular_acceleration;
-  }
+  for (int k = 1; k < order_; ++k) *planar_record(body, k) += correction.past(sum, k * update->dt);
   return jump;
 }
 
@@ -102,15 +93,8 @@ SpatialJump FixMultisphereAB::correct_spatial(int body, const BodyChange& sum) {
   keep_missed_motion(body, jump, sum.torque.impulse);
   if (evaluations_->get(body) == 0) return jump;
   for (int k = 1; k < order_; ++k) {
-    const rodpack::SpatialRates gain = correction.past(sum, k * update->dt);
-    rodpack::SpatialRates& rates =
-        *reinterpret_cast<rodpack::SpatialRates*>((*past_spatial_[order_ - 1 - k])(body));
-    for (int d = 0; d < 3; ++d) {
-      rates.velocity[d] += gain.velocity[d];
-      rates.acceleration[d] += gain.acceleration[d];
-      rates.torque[d] += gain.torque[d];
-    }
-    for (int d = 0; d < 4; ++d) rates.quaternion_rate[d] += gain.quaternion_rate[d];
+    void* const record = (*past_spatial_[order_ - 1 - k])(body);
+    *static_cast<rodpack::SpatialRates*>(record) += correction.past(sum, k * update->dt);
   }
   return jump;
 }

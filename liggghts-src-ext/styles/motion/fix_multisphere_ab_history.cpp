@@ -2,8 +2,6 @@
 // The rates of the past: storage, start-up, restart files.
 #include <string>
 
-#include "comm.h"
-#include "error.h"
 #include "fix_multisphere_ab.h"
 #include "mpi_liggghts.h"
 #include "rodpack/motion/multistep.h"
@@ -71,12 +69,9 @@ void FixMultisphereAB::restart_history_after_change() {
   }
   layout_->setDefaultValue(layout());
   MPI_Sum_Scalar(restarted, world);
-  if (restarted > 0 && comm->me == 0) {
-    const std::string text = "Fix " + std::string(style) +
-                             ": another time step or planarity, so the history of " +
-                             std::to_string(restarted) + " bodies starts anew";
-    error->warning(FLERR, text.c_str());
-  }
+  if (restarted > 0)
+    warn_of_new_histories(*this, lmp, "another time step or planarity",
+                          std::to_string(restarted) + " bodies");
 }
 
 /// Reads bodies from a restart file. Where the file holds no history like ours (built-in
@@ -103,11 +98,8 @@ void FixMultisphereAB::restart(char* buf) {
     list[begin] = static_cast<double>(list.size() - begin);
     in = end;
   }
-  if (anew && comm->me == 0) {
-    const std::string text = "Fix " + std::string(style) +
-                             ": the restart file holds no history for this order and planarity, "
-                             "so that of every body starts anew";
-    error->warning(FLERR, text.c_str());
-  }
+  if (anew)
+    warn_of_new_histories(*this, lmp, "the restart file holds none for this order and planarity",
+                          "every body");
   FixMultisphere::restart(reinterpret_cast<char*>(list.data()));
 }

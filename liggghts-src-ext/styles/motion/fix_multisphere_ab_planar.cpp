@@ -12,7 +12,8 @@
 using namespace LAMMPS_NS;
 using rodpack::PlanarBody;
 
-/// `atoms`: its spheres. Its frame is that of space, turned by no angle yet.
+/// The body as the engine takes it; `atoms` are its spheres. Its frame is that of space, turned by
+/// no angle yet.
 PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) {
   if (evaluations_->get(body) == 0) require_planar(body);
   if (!fflag_(body)[0] || !fflag_(body)[1] || !tflag_(body)[2])
@@ -58,7 +59,8 @@ rodpack::PlanarRates* FixMultisphereAB::planar_record(int body, int age) {
   return reinterpret_cast<rodpack::PlanarRates*>(record);
 }
 
-/// What contacts will be told about the body in the next step, if its acceleration has jumped.
+/// Finds what contacts will be told about the body in the next step, if its acceleration has
+/// jumped.
 void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& planar) {
   const rodpack::SpatialJump* of_sphere = events_->jump_for_next_step(atoms[0]);
   planar.jumped = of_sphere != NULL;
@@ -70,7 +72,7 @@ void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& plan
   planar.change.sine = planar.sine;
 }
 
-/// Before from_planar() is called for the bodies of this rank.
+/// To be called before from_planar() is for the bodies of this rank.
 void FixMultisphereAB::begin_planar() {
   if (events_) events_->begin_publishing();
 }
@@ -128,7 +130,7 @@ void FixMultisphereAB::keep_loads() {
   }
 }
 
-/// After bodies, atoms and ghosts were made anew.
+/// To be called after bodies, atoms and ghosts were made anew.
 void FixMultisphereAB::restore_loads() {
   for (int body = 0; body < n_body(); ++body) {
     const double* load = (*planar_load_)(body);

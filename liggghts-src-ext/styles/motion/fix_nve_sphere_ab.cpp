@@ -8,14 +8,12 @@
 
 #include "atom.h"
 #include "atom_property.h"
-#include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_property_atom.h"
 #include "modify.h"
 #include "mpi_liggghts.h"
 #include "multisphere_fix.h"
-#include "rodpack/motion/multistep.h"
+#include "rodpack/motion/rigid_motion.h"
 #include "stop_run.h"
 #include "style_arguments.h"
 #include "update.h"
@@ -23,9 +21,9 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-// layout of one record of rates: velocity, acceleration, angular acceleration
+// A record of rates holds velocity, acceleration and angular acceleration in this order.
 enum { VELOCITY = 0, ACCELERATION = 3, ANGULAR_ACCELERATION = 6, RATES = 9 };
-// layout of the state
+// The state of a sphere holds these values in this order.
 enum { EVALUATIONS = 0, TIMESTEP, ORDER, STATE_VALUES };
 
 FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
@@ -65,7 +63,7 @@ void FixNVESphereAB::init() {
     stop_run(lmp, *this,
              "fix insert/stream, which moves spheres by itself at first, is not supported");
   planar_ = options_.planar();
-  // as fix nve/sphere: in a two-dimensional simulation the particles are discs
+  // As for fix nve/sphere, particles are discs in a two-dimensional simulation.
   inertia_factor_ = domain->dimension == 2 ? 0.5 : 0.4;
   bodies_ = multisphere_fix(modify);
 
@@ -89,12 +87,9 @@ void FixNVESphereAB::restart_history_after_change() {
     }
   }
   MPI_Sum_Scalar(restarted, world);
-  if (restarted > 0 && comm->me == 0) {
-    const std::string text = "Fix " + std::string(style) +
-                             ": new time step or order, so the history of " +
-                             std::to_string(restarted) + " spheres starts anew";
-    error->warning(FLERR, text.c_str());
-  }
+  if (restarted > 0)
+    warn_of_new_histories(*this, lmp, "new time step or order",
+                          std::to_string(restarted) + " spheres");
 }
 
 void* FixNVESphereAB::extract(const char* name, int& dimension) {
@@ -125,7 +120,9 @@ void FixNVESphereAB::advance(int i) {
     // Velocities before birth follow from the force at birth, held constant; forces stay unknown.
     for (int k = 1; k < order_; ++k)
       for (int d = 0; d < RATES; ++d)
-        history[k][d] = d < ACCELERATION ? v[d] - k * dt * history[0][ACCELERATION + d] : 0.0;
+        history[k][d] = d < ACCELERATION ? rodpack::velocity_before_birth(
+                                               v[d], history[0][ACCELERATION + d], k * dt)
+                                         : 0.0;
     state[TIMESTEP] = dt;
     state[ORDER] = order_;
   } else {

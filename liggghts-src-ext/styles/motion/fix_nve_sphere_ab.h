@@ -30,7 +30,7 @@ class FixNVESphereAB : public Fix {
   void init() override;
   void initial_integrate(int) override;
   void reset_dt() override;
-  /// "multistep_order": the order, int*. For the tangential contact models.
+  /// Tells the tangential contact models the "multistep_order", an int*.
   void* extract(const char*, int&) override;
 
  private:

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "multistep_options.h"
 
+#include "comm.h"
 #include "domain.h"
+#include "error.h"
+#include "fix.h"
 #include "modify.h"
 #include "rodpack/motion/multistep.h"
 #include "style_arguments.h"
@@ -27,4 +30,12 @@ bool MultistepOptions::read(const std::string& keyword, StyleArguments& argument
 bool MultistepOptions::planar() const {
   if (planar_ != "auto") return planar_ == "yes";
   return domain->dimension == 2 || modify->n_fixes_style("enforce2d") > 0;
+}
+
+void LAMMPS_NS::warn_of_new_histories(const Fix& fix, LAMMPS* lmp, const std::string& why,
+                                      const std::string& whose) {
+  if (lmp->comm->me != 0) return;
+  const std::string text = std::string("Fix ") + fix.style + ": " + why + ", so the history of " +
+                           whose + " starts anew";
+  lmp->error->warning(FLERR, text.c_str());
 }

@@ -31,6 +31,11 @@ class MultistepOptions : protected Pointers {
   std::string planar_ = "auto";
 };
 
+/// Warns, on the first rank, of bodies or spheres that start with an empty history: "Fix STYLE:
+/// WHY, so the history of WHOSE starts anew".
+void warn_of_new_histories(const class Fix& fix, class LAMMPS* lmp, const std::string& why,
+                           const std::string& whose);
+
 }  // namespace LAMMPS_NS
 
 #endif

@@ -9,10 +9,10 @@ namespace LAMMPS_NS {
 
 namespace {
 
-// squared sine of half the angle between z and an axis within 0.01 rad of it
+// An axis within 0.01 rad of z is taken for z: the squared sine of half that angle.
 const double snap = 0.005 * 0.005;
 
-// below this a component of a unit vector is rounding error
+// A component of a unit vector below this is a rounding error.
 const double rounding = 1e-12;
 
 /// The part of q that turns about z, as (w, z) of a unit quaternion.

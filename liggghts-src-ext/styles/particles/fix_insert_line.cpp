@@ -191,7 +191,7 @@ std::vector<FixInsertLine::Sphere> FixInsertLine::spheres_of(std::vector<Draw>& 
 /// Spheres of a line in the order of x, to find those near a place without going through all.
 class FixInsertLine::SpheresAlongX {
  public:
-  /// `period` of x; 0: none
+  /// `period` is that of the scene along x, m; 0 where it is not periodic.
   SpheresAlongX(const std::vector<Sphere>& spheres, double period) : widest_(0.0), period_(period) {
     for (const Sphere& sphere : spheres) {
       sorted_.push_back(&sphere);
@@ -223,7 +223,8 @@ void FixInsertLine::check_overlaps(const std::vector<Draw>& line,
     double depth;
     int rank;
   } worst = {0., comm->me}, all;
-  // the particle of the line; tag of the sphere in its way, 0 for one of another particle of it
+  // Which particle of the line it is, and the tag of the sphere in its way: 0 if that is one of
+  // another particle of the line.
   int found[2] = {-1, 0};
   const auto keep_deepest = [&](const Sphere& sphere, const double* x, double radius, int tag) {
     double dx = x[0] - sphere.x[0], dy = x[1] - sphere.x[1], dz = x[2] - sphere.x[2];

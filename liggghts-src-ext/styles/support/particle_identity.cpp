@@ -5,7 +5,6 @@
 #include <algorithm>
 #include "atom.h"
 #include "comm.h"
-#include "contact_recorder.h"
 #include "domain.h"
 #include "modify.h"
 #include "multisphere_fix.h"
@@ -45,7 +44,6 @@ int ParticleIdentity::largest_id() const {
   return largest;
 }
 
-/// Centre of mass of the particle that a sphere belongs to, in the periodic image of that sphere.
 rodpack::Vector ParticleIdentity::centre_near(int sphere,
                                               const std::vector<rodpack::Vector>& centres) const {
   const double* const x = atom->x[sphere];
@@ -57,19 +55,6 @@ rodpack::Vector ParticleIdentity::centre_near(int sphere,
   domain->minimum_image(branch);
   for (int d = 0; d < 3; ++d) centre[d] += branch[d];
   return centre;
-}
-
-rodpack::Contact ParticleIdentity::contact_of(const ContactRecord& record,
-                                              const std::vector<rodpack::Vector>& centres) const {
-  rodpack::Contact contact;
-  contact.wall = record.j < 0;
-  contact.i = id_of(record.i);
-  contact.j = contact.wall ? 0 : id_of(record.j);
-  vectorCopy3D(record.point, contact.point.data());
-  vectorCopy3D(record.force, contact.force.data());
-  contact.centre_i = centre_near(record.i, centres);
-  contact.centre_j = contact.wall ? contact.point : centre_near(record.j, centres);
-  return contact;
 }
 
 }  // namespace LAMMPS_NS

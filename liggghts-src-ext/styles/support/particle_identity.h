@@ -31,15 +31,11 @@ class ParticleIdentity : protected Pointers {
   /// Largest id of a particle on any rank; collective.
   int largest_id() const;
 
-  /// A contact as one of particles, which knows their centres of mass in the periodic images that
-  /// touch; for a wall the id is 0 and the contact point stands for the centre. `centres` by
-  /// all_body_centres().
-  rodpack::Contact contact_of(const struct ContactRecord& record,
-                              const std::vector<rodpack::Vector>& centres) const;
-
- private:
+  /// Centre of mass of the particle that a sphere belongs to, in the periodic image of that sphere,
+  /// m. `centres` by all_body_centres().
   rodpack::Vector centre_near(int sphere, const std::vector<rodpack::Vector>& centres) const;
 
+ private:
   class FixMultisphere* bodies_;
   int largest_body_id_;
 };

@@ -11,7 +11,8 @@ class Dump;
 class Fix;
 class LAMMPS;
 
-/// Who speaks, at the front of a message: "Fix STYLE (id ID)", "Compute ...", "Dump ...".
+/// The style that speaks, as it stands at the front of a message: "Fix STYLE (id ID)", "Compute
+/// ...", "Dump ...".
 std::string name_of(const Fix& fix);
 std::string name_of(const Compute& compute);
 std::string name_of(const Dump& dump);
@@ -20,7 +21,7 @@ std::string name_of(const Dump& dump);
 /// call it, as they do where they all find the same.
 [[noreturn]] void stop_run(LAMMPS* lmp, const std::string& message);
 
-/// The same, "ERROR: NAME OF THE STYLE: MESSAGE".
+/// Ends the run in the name of a style: "ERROR: NAME OF THE STYLE: MESSAGE".
 template <class Style>
 [[noreturn]] void stop_run(LAMMPS* lmp, const Style& style, const std::string& message) {
   stop_run(lmp, name_of(style) + ": " + message);
@@ -30,7 +31,8 @@ template <class Style>
 /// MESSAGE". All output of this rank so far, and the line, arrive wherever they are sent to.
 [[noreturn]] void stop_run_from_one_rank(LAMMPS* lmp, const std::string& message);
 
-/// The same, "ERROR on proc RANK: NAME OF THE STYLE: MESSAGE".
+/// Ends the run from one rank in the name of a style: "ERROR on proc RANK: NAME OF THE STYLE:
+/// MESSAGE".
 template <class Style>
 [[noreturn]] void stop_run_from_one_rank(LAMMPS* lmp, const Style& style,
                                          const std::string& message) {

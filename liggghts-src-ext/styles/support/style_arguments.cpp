@@ -12,7 +12,7 @@ namespace LAMMPS_NS {
 
 namespace {
 
-/// "a, b or c"
+/// The words in a row: "a, b or c".
 std::string one_of(std::initializer_list<const char*> words) {
   std::string list;
   std::size_t k = 0;
@@ -34,6 +34,15 @@ StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first, con
 StyleArguments::StyleArguments(LAMMPS* lmp, const std::string& who, int narg, char** arg, int first,
                                Wording wording)
     : Pointers(lmp), who_(who), narg_(narg), arg_(arg), next_(first), wording_(wording) {}
+
+int StyleArguments::find(const std::string& keyword) {
+  for (int k = next_; k < narg_; ++k) {
+    if (keyword != arg_[k]) continue;
+    next_ = k + 1;
+    return k;
+  }
+  return -1;
+}
 
 std::string StyleArguments::word(const std::string& keyword, const std::string& expected) {
   if (more()) return arg_[next_++];

@@ -37,6 +37,9 @@ class StyleArguments : protected Pointers {
   /// end.
   std::string peek(int further = 0) const { return further < left() ? arg_[next_ + further] : ""; }
 
+  /// Moves on to the word behind the next `keyword` and returns the index of the keyword among the
+  /// words of the command; -1, without moving, if it is not there.
+  int find(const std::string& keyword);
   /// The next word, the value of `keyword`; `expected` is for the message if there is none.
   std::string word(const std::string& keyword, const std::string& expected);
   /// The next word, a keyword that must not have been there before.

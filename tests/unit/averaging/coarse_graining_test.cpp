@@ -31,7 +31,7 @@ CoarseGrainingOptions exactly(bool couple = true) {
 /// A few particles with made-up contacts and walls; no balance of any kind.
 struct Scene {
   std::vector<Particle> particles;
-  std::vector<Contact> contacts;
+  std::vector<SphereContact> contacts;
 
   explicit Scene(int dimension, unsigned seed = 3) {
     std::mt19937 random(seed);
@@ -47,13 +47,13 @@ struct Scene {
       for (long j = 0; j < i; ++j) contacts.push_back(between(i, j, vector(), vector()));
     contacts.push_back(between(1, 0, vector(), vector()));  // a second one of that pair
     for (long i = 0; i < 3; ++i) {
-      Contact contact = between(i, i, vector(), vector());
+      SphereContact contact = between(i, i, vector(), vector());
       contact.wall = true;
       contact.centre_j = contact.point;
       contacts.push_back(contact);
     }
   }
-  Contact between(long i, long j, const Vector& point, const Vector& force) const {
+  SphereContact between(long i, long j, const Vector& point, const Vector& force) const {
     return {i, j, false, point, force, particles[i].centre, particles[j].centre};
   }
   void add_to(CoarseGraining& averages) const {

@@ -16,6 +16,13 @@ namespace {
 
 const double pi = std::acos(-1.0);
 
+// Two masses on a spring k vibrate as one mass m at a wall would, k / m = k / m_i + k / m_j.
+TEST(ContactLaw, EffectiveMassIsThatOfTheRelativeMotion) {
+  EXPECT_DOUBLE_EQ(effective_mass(2, 2), 1);
+  EXPECT_DOUBLE_EQ(1 / effective_mass(2, 6), 1.0 / 2 + 1.0 / 6);
+  EXPECT_NEAR(effective_mass(2, 1e12), 2, 1e-11);
+}
+
 TEST(ContactLaw, DampingRatioOneIsCritical) {
   // m x'' + c x' + k x = 0 is critically damped at c^2 = 4 m k.
   EXPECT_DOUBLE_EQ(damping_coefficient(1, 3, 12), std::sqrt(4 * 3.0 * 12));

@@ -220,4 +220,24 @@ TEST(EventCorrection, ContactsSeeTheDifferenceOfBothSurfaces) {
   }
 }
 
+// A surface of velocity u(t) = 0.2 - 30 t gains the acceleration a at t = -s, before the end of the
+// step at t = 0: from then on its velocity is u + a (t + s), and so it is to have been at t = -k
+// dt; it has come farther by the integral from -s to 0, a s^2 / 2.
+TEST(EventCorrection, HistoryFollowsAJumpAsIfItHadAlwaysBeen) {
+  const double a = 500, s = 3e-6, dt = 1e-5;
+  ContactJump jump = {};
+  for (int d : {0, 1}) {  // along (0.6, 0.8)
+    const double axis = d == 0 ? 0.6 : 0.8;
+    jump.acceleration[d] = axis * a;
+    jump.velocity[d] = axis * a * s;
+    jump.displacement[d] = axis * a * s * s / 2;
+  }
+  double spring = 1e-6, velocity[3];
+  for (int k = 0; k < 3; ++k) velocity[k] = 0.2 + 30 * k * dt;
+  follow_jump(component(jump, {0.6, 0.8, 0}), dt, spring, 3,
+              [&](int k) -> double& { return velocity[k]; });
+  EXPECT_NEAR(spring, 1e-6 + a * s * s / 2, 1e-20);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(velocity[k], 0.2 + 30 * k * dt + a * (s - k * dt), 1e-15);
+}
+
 }  // namespace rodpack

@@ -93,9 +93,11 @@ TEST(FrictionStep, FindsTheMomentAtWhichTheCapIsReached) {
   EXPECT_NEAR(f.gain_rate[0], 0.09 / 1e-3, 1e-9);  // from nothing at the change
 }
 
-// A cap that falls below the force while the spring moves the surfaces (velocity along the force):
-// the spring is cut to what carries the cap, and the dashpot then lowers the force at once.
-TEST(FrictionStep, LosesTheExcessOfTheSpringWhereTheCapFalls) {
+// A cap drop: the cap falls below the force while the spring moves the surfaces (velocity along the
+// force). Until then the spring carried the cap and the dashpot, 2 * 0.05 N against it; now it is
+// shortened to what carries the cap. So the force falls by those 0.1 N at once, whenever the drop
+// was, and by no more later, since the spring stays short by the same length.
+TEST(FrictionStep, CapDropTakesTheDashpotsShareFromTheSpring) {
   FrictionStep step = contact();
   step.cap_rate = -60;  // 1.06 N one step ago
   step.spring_before[0] = 11.5e-3;
@@ -110,6 +112,9 @@ TEST(FrictionStep, LosesTheExcessOfTheSpringWhereTheCapFalls) {
   EXPECT_NEAR(f.since, since, 1e-12);
   EXPECT_NEAR(spring[0], (1 + 60 * since) / 100 - 0.05 * since, 1e-12);
   EXPECT_NEAR(f.force[0], -(100 * spring[0] - 2 * 0.05), 1e-12);
+  EXPECT_NEAR(f.gain[0], 2 * 0.05, 1e-12);
+  EXPECT_NEAR(f.gain[0], f.force[0] + (100 * 11.45e-3 - 2 * 0.05), 1e-12);  // over no drop at all
+  EXPECT_EQ(f.gain_rate[0], 0);
 }
 
 // In space the surface may move across the force when it stands along it: the dashpot of that

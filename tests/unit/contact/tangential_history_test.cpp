@@ -175,6 +175,26 @@ TEST(TangentialHistory, SlideTakesBackTheExcessSinceTheCapWasReached) {
   EXPECT_FALSE(told.events[0].jumps);
 }
 
+// The surfaces move at v along the force, kt (spring) - gamma v, so that it falls by kt v per
+// second under a cap that falls faster, by mu k_n vn. Where it exceeds the cap by e at the end of
+// the step, it reached the cap s = e / (mu k_n vn - kt v) ago. There the spring is shortened to
+// what carries the cap alone, by gamma v / kt: from then on the force lacks gamma v, with the
+// integrals gamma v s and gamma v s^2 / 2.
+TEST(TangentialHistory, CapDropLosesTheExcessAtOnce) {
+  const double v = 0.02, vn = 0.5, overlap = 1e-4, cap = friction * overlap, s = 0.4 * dt;
+  const double e = s * (friction * vn - kt * v), spring_now = (cap + e + gamma_t * v) / kt;
+  TangentialHistory history = history_of(spring_now + v * dt, -v, -v, -v);
+  RecordedEvents told;
+  const TangentialForce force = evaluate(sheared(overlap, -v, vn), history, told);
+  EXPECT_FALSE(force.sliding || history.sliding);
+  EXPECT_NEAR(history.spring[0], spring_now - gamma_t * v / kt, 1e-12 * spring_now);
+  EXPECT_NEAR(force.force[0], -(cap + e) + gamma_t * v, 1e-12 * cap);
+  ASSERT_EQ(told.events.size(), 1u);
+  const double gain = gamma_t * v;
+  expect_change(told.events[0].on_i, gain, 0, gain * s, gain * s * s / 2);
+  EXPECT_TRUE(told.events[0].jumps);
+}
+
 // A slide at the speed v(t) = -a t stands still s before the end of the step. From the spring that
 // carried the cap the surface then moves back by a s^2 / 2: the force falls below the cap, D(t) =
 // gamma a t + kt a t^2 / 2. The event takes D as linear, from its value and its rate now, so that

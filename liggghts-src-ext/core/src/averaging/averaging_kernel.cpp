@@ -24,6 +24,52 @@ double cubed_distance_integral(double p, double t) {
   return 0.125 * t * (2 * t * t + 5 * p * p) * r + tail;
 }
 
+/// Integrals of phi dt and of t phi dt over t from `from` to `to` (m), where t runs along a line
+/// from the foot of the perpendicular from the kernel's centre, whose length squared is
+/// `p_squared`.
+struct AxisIntegrals {
+  double zeroth, first;
+};
+AxisIntegrals along_axis(const AveragingKernel& kernel, double p_squared, double from, double to) {
+  AxisIntegrals result = {0, 0};
+  const double norm = kernel.norm();
+  switch (kernel.shape()) {
+    case KernelShape::gaussian: {
+      const double w = kernel.scale();
+      const double across = norm * std::exp(-0.5 * p_squared / (w * w));
+      const auto at = [w](double t) { return std::exp(-0.5 * t * t / (w * w)); };
+      result.zeroth = across * w * root_half_pi *
+                      (std::erf(to / (w * std::sqrt(2.0))) - std::erf(from / (w * std::sqrt(2.0))));
+      result.first = across * w * w * (at(from) - at(to));
+      break;
+    }
+    case KernelShape::heaviside:
+      result.zeroth = norm * (to - from);
+      result.first = norm * 0.5 * (to * to - from * from);
+      break;
+    case KernelShape::lucy: {  // phi / norm = 1 - 6 q^2 + 8 q^3 - 3 q^4
+      const double R = kernel.cutoff();
+      const double p = std::sqrt(p_squared);
+      const auto zeroth_to = [&](double t) {
+        const double t3 = t * t * t;
+        return t - 6 * (p_squared * t + t3 / 3) / (R * R) +
+               8 * cubed_distance_integral(p, t) / (R * R * R) -
+               3 * (p_squared * p_squared * t + 2 * p_squared * t3 / 3 + t3 * t * t / 5) /
+                   (R * R * R * R);
+      };
+      const auto first_to = [&](double t) {  // t dt = r dr
+        const double r = std::sqrt(p_squared + t * t);
+        const double q = r / R;
+        return r * r * (0.5 - 1.5 * q * q + 1.6 * q * q * q - 0.5 * q * q * q * q);
+      };
+      result.zeroth = norm * (zeroth_to(to) - zeroth_to(from));
+      result.first = norm * (first_to(to) - first_to(from));
+      break;
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 KernelShape kernel_shape(const std::string& name) {
@@ -95,42 +141,8 @@ LineIntegral AveragingKernel::along(const double* from_a, const double* branch) 
   const double to = std::min(length - foot, reach);
   if (to <= from) return {0, 0};
 
-  double zeroth = 0, first = 0;  // integrals of phi dt and t phi dt
-  switch (shape_) {
-    case KernelShape::gaussian: {
-      const double w = scale_;
-      const double across = norm_ * std::exp(-0.5 * p_squared / (w * w));
-      const auto at = [w](double t) { return std::exp(-0.5 * t * t / (w * w)); };
-      zeroth = across * w * root_half_pi *
-               (std::erf(to / (w * std::sqrt(2.0))) - std::erf(from / (w * std::sqrt(2.0))));
-      first = across * w * w * (at(from) - at(to));
-      break;
-    }
-    case KernelShape::heaviside:
-      zeroth = norm_ * (to - from);
-      first = norm_ * 0.5 * (to * to - from * from);
-      break;
-    case KernelShape::lucy: {  // phi / norm = 1 - 6 q^2 + 8 q^3 - 3 q^4
-      const double R = cutoff_;
-      const double p = std::sqrt(p_squared);
-      const auto zeroth_to = [&](double t) {
-        const double t3 = t * t * t;
-        return t - 6 * (p_squared * t + t3 / 3) / (R * R) +
-               8 * cubed_distance_integral(p, t) / (R * R * R) -
-               3 * (p_squared * p_squared * t + 2 * p_squared * t3 / 3 + t3 * t * t / 5) /
-                   (R * R * R * R);
-      };
-      const auto first_to = [&](double t) {  // t dt = r dr
-        const double r = std::sqrt(p_squared + t * t);
-        const double q = r / R;
-        return r * r * (0.5 - 1.5 * q * q + 1.6 * q * q * q - 0.5 * q * q * q * q);
-      };
-      zeroth = norm_ * (zeroth_to(to) - zeroth_to(from));
-      first = norm_ * (first_to(to) - first_to(from));
-      break;
-    }
-  }
-  return {zeroth / length, (first + foot * zeroth) / length_squared};
+  const AxisIntegrals integrals = along_axis(*this, p_squared, from, to);
+  return {integrals.zeroth / length, (integrals.first + foot * integrals.zeroth) / length_squared};
 }
 
 double gaussian_cutoff(double tolerance, int dimension) {

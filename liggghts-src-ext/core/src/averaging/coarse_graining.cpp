@@ -99,7 +99,7 @@ template <class Visit>
 void CoarseGraining::for_rows(const Vector& low, const Vector& high, Visit visit) const {
   const double reach = kernel_.cutoff();
   if (!gridded_) {
-    const auto below = [](const Row& row, double y) { return row.y < y; };
+    const auto below = [](const GridRow& row, double y) { return row.y < y; };
     const auto begin = std::lower_bound(rows_.begin(), rows_.end(), low[1] - reach, below);
     for (auto row = begin; row != rows_.end() && row->y <= high[1] + reach; ++row)
       visit(static_cast<std::size_t>(row - rows_.begin()));
@@ -118,7 +118,7 @@ void CoarseGraining::for_rows(const Vector& low, const Vector& high, Visit visit
 }
 
 // The places of a row with low <= x <= high.
-CoarseGraining::Range CoarseGraining::columns_within(const Row& row, double low,
+CoarseGraining::Range CoarseGraining::columns_within(const GridRow& row, double low,
                                                      double high) const {
   if (!gridded_) return {0, row.x >= low && row.x <= high ? 1 : 0};
   const double from = std::ceil((low - row.x) / grid_.spacing[0]);
@@ -151,7 +151,7 @@ void CoarseGraining::spread(const Vector& centre, std::size_t first, std::size_t
           kernel_.axis_factor(grid_.origin[0] + i * grid_.spacing[0] - centre[0]);
   }
   for_rows(centre, centre, [&](std::size_t index) {
-    const Row& row = rows_[index];
+    const GridRow& row = rows_[index];
     const double y = row.y - centre[1];
     const double z = dimension_ == 3 ? row.z - centre[2] : 0.0;
     const double across = y * y + z * z;
@@ -255,7 +255,7 @@ void CoarseGraining::spread_line(const Interaction& interaction, const Vector& f
   const double reach = kernel_.cutoff();
   const std::size_t stresses = D * D;
   for_rows(low, high, [&](std::size_t index) {
-    const Row& row = rows_[index];
+    const GridRow& row = rows_[index];
     const Range columns = columns_within(row, low[0] - reach, high[0] + reach);
     for (int i = columns.begin; i < columns.end; ++i) {
       const double x = row.x + i * grid_.spacing[0];

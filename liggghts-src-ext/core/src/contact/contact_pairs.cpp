@@ -19,7 +19,7 @@ void add(Vector& sum, const Vector& term) {
   for (std::size_t d = 0; d < 3; ++d) sum[d] += term[d];
 }
 
-Interaction interaction(const Contact& contact) {
+Interaction interaction(const SphereContact& contact) {
   return {contact.centre_i, minus(contact.centre_j, contact.centre_i), contact.force,
           cross(minus(contact.point, contact.centre_i), contact.force), contact.wall};
 }
@@ -37,20 +37,21 @@ bool same_image(const Vector& a, const Vector& b) {
 
 }  // namespace
 
-ContactPairs sum_pairs(std::vector<Contact> contacts) {
-  for (Contact& contact : contacts) {
+ContactPairs sum_pairs(std::vector<SphereContact> contacts) {
+  for (SphereContact& contact : contacts) {
     if (contact.wall || contact.i < contact.j) continue;
     std::swap(contact.i, contact.j);
     std::swap(contact.centre_i, contact.centre_j);
     for (double& component : contact.force) component = -component;
   }
-  std::stable_sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) {
-    return std::tie(a.wall, a.i, a.j) < std::tie(b.wall, b.i, b.j);
-  });
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [](const SphereContact& a, const SphereContact& b) {
+                     return std::tie(a.wall, a.i, a.j) < std::tie(b.wall, b.i, b.j);
+                   });
 
   ContactPairs result;
   std::size_t first_of_pair = 0;  // its first interaction
-  for (const Contact& contact : contacts) {
+  for (const SphereContact& contact : contacts) {
     const Interaction next = interaction(contact);
     if (contact.wall) {
       result.interactions.push_back(next);

@@ -30,7 +30,7 @@ void fill_kinematic_history(SpatialRates* history, int order, double dt, const S
     SpatialRates& past = history[order - 1 - k];
     past = SpatialRates{};
     for (int d = 0; d < 3; ++d)
-      past.velocity[d] = rates.velocity[d] - k * dt * rates.acceleration[d];
+      past.velocity[d] = velocity_before_birth(rates.velocity[d], rates.acceleration[d], k * dt);
     rate_at(-k, q, past.quaternion_rate);
   }
 }

@@ -27,8 +27,8 @@ void PlanarBodies::fill_past(int body, long step) {
     past_acceleration_[past(k, step)][body] = PlanarVector();
     for (int d = 0; d < 3; ++d)
       past_velocity_[past(k, step)][body].d[d] =
-          kinematics_[body].velocity[d] -
-          (k + 1) * settings_.dt * inertia_[body].d[d] * loads_[body].d[d];
+          velocity_before_birth(kinematics_[body].velocity[d],
+                                inertia_[body].d[d] * loads_[body].d[d], (k + 1) * settings_.dt);
   }
 }
 

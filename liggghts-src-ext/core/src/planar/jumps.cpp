@@ -9,18 +9,10 @@ namespace rodpack {
 
 namespace {
 
-/// The components of a jump along a unit vector.
-struct AlongAxis {
-  double acceleration, velocity, displacement;
-  AlongAxis(const ContactJump& jump, const double (&axis)[3])
-      : acceleration(dot(jump.acceleration, axis)),
-        velocity(dot(jump.velocity, axis)),
-        displacement(dot(jump.displacement, axis)) {}
-};
-
-/// What the dashpots, as far as they act, did not know of such jumps.
-ForceChange change_of_dashpots(const PlanarContact& contact, const AlongAxis& normal,
-                               const AlongAxis& tangential, bool pushes, bool slides, double dt) {
+/// The change of the force for what the dashpots, as far as they act, did not know of such jumps.
+ForceChange change_of_dashpots(const PlanarContact& contact, const ContactJumpComponent& normal,
+                               const ContactJumpComponent& tangential, bool pushes, bool slides,
+                               double dt) {
   const double gamma_n = pushes ? contact.gamman : 0.0, gamma_t = slides ? 0.0 : contact.gammat;
   const auto force = [&](double along_normal, double along_tangent, double(&result)[3]) {
     const Vector2<double> vector =
@@ -38,8 +30,8 @@ ForceChange change_of_dashpots(const PlanarContact& contact, const AlongAxis& no
 
 }  // namespace
 
-/// What the general path does with such a contact (normal_history.h, tangential_history.h), along
-/// normal and tangent; false, with nothing done, if it is none.
+/// Does what the general path does with such a contact (normal_history.h, tangential_history.h),
+/// along normal and tangent; false, with nothing done, if it is none.
 bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int lane,
                                         const PlanarContact& contact) {
   const PlanarBlockHead& head = pool.head(place);
@@ -49,31 +41,32 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
       !(contact.gammat > 0.0) || !events_.motion_changed(contact, jump))
     return false;
   const double tangent[3] = {-contact.en[1], contact.en[0], 0.0};
-  const AlongAxis normal(jump, contact.en), tangential(jump, tangent);
+  const ContactJumpComponent normal = component(jump, contact.en),
+                             tangential = component(jump, tangent);
   double* const values = pool.values(place) + lane;
   const PlanarLawConstants& law = laws_[pool.law(place)];
 
   const double dt = settings_.dt;
   const MultistepWeights& weights = adams_bashforth_weights(settings_.order);
   LastingContact<OneContact> lasting;
-  lasting.spring_before = values[planar_spring] + tangential.displacement;
-  lasting.spring = lasting.spring_before;
   double velocity[max_multistep_order];
-  for (int k = 0; k < slots_; ++k) {
-    velocity[k] = values[pool.velocity(k)] + tangential.velocity - k * dt * tangential.acceleration;
-    if (k < settings_.order) lasting.spring += dt * weights[k] * velocity[k];
-  }
+  for (int k = 0; k < slots_; ++k) velocity[k] = values[pool.velocity(k)];
+  lasting.spring_before = values[planar_spring];
+  follow_jump(tangential, dt, lasting.spring_before, slots_,
+              [&](int k) -> double& { return velocity[k]; });
+  lasting.spring = lasting.spring_before;
+  for (int k = 0; k < settings_.order; ++k) lasting.spring += dt * weights[k] * velocity[k];
   lasting.normal_stiffness = contact.kn;
   lasting.normal_damping = contact.gamman;
   lasting.overlap = contact.deltan;
   lasting.separation_velocity = contact.vn;
-  // The dashpot of the last evaluation did not know of the event.
-  lasting.viscoelastic_before = values[planar_viscoelastic] - contact.gamman * normal.velocity;
+  lasting.viscoelastic_before =
+      viscoelastic_before(values[planar_viscoelastic], contact.gamman, normal.velocity);
   lasting.tangential_stiffness = contact.kt;
   lasting.inverse_stiffness.inverse = law.inverse_kt;
   lasting.tangential_damping = contact.gammat;
   lasting.tangential_velocity = contact.tangential_velocity();
-  lasting.cap = law.friction * contact.deltan;
+  lasting.cap = coulomb_cap(law.friction, contact.deltan);
   lasting.slid = (head.sliding & bit) != 0;
   const LastingForce<OneContact> force = lasting_force(lasting, 0.0, true);
   if (force.changes) return false;

@@ -189,7 +189,7 @@ PlanarNeighbours::Coefficients PlanarNeighbours::coefficients(int i, int j) cons
   } else {
     const PlanarBodyInfo& of_j = bodies_.info(j);
     type_j = of_j.type;
-    mass = m * of_j.mass / (m + of_j.mass);
+    mass = effective_mass(m, of_j.mass);
   }
   const int place = of_i.type * settings_.types + type_j;
   const PlanarLaw& law = settings_.laws[place];

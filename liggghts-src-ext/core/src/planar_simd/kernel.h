@@ -9,7 +9,7 @@
 
 #include "rodpack/contact/contact_formulas.h"
 
-/// Of the contacts in a register: the numbers of contact_formulas.h.
+/// The types of numbers that contact_formulas.h asks for, for the contacts in a register.
 struct LaneContacts {
   typedef Lanes Real;
   typedef LaneMask Mask;
@@ -31,12 +31,18 @@ inline void keep_lanes(LaneMask where, double* place, Lanes x) {
   store_lanes(place, lane_choice(where, x, load_lanes(place)));
 }
 
-/// Of the two bodies of blocks: levers from their centres to the contacts, the normals from j to i,
-/// and the velocities of i's surface relative to j's.
+/// How the contacts in a register move: their normals from j to i, the levers from the centres of
+/// both bodies to them, and the velocity of i's surface relative to j's, along the normal and the
+/// tangent z x n.
 struct LaneMotion {
   Vector2<Lanes> normal, lever_i, lever_j;
   Lanes overlap, separation_velocity, tangential_velocity;
 };
+
+inline void set_velocities(LaneMotion& motion, Vector2<Lanes> relative) {
+  motion.separation_velocity = dot(relative, motion.normal);
+  motion.tangential_velocity = cross_z(motion.normal, relative);
+}
 
 /// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the fast path.
 struct LaneForces {
@@ -79,7 +85,7 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   contact.spring = contact.spring_before;
   for (int k = 0; k < forces.order; ++k)
     contact.spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
-  contact.cap = friction * motion.overlap;
+  contact.cap = coulomb_cap(friction, motion.overlap);
   contact.slid = lanes_of_bits(sliding);
   const LastingForce<LaneContacts> force = lasting_force(contact, zero, forces.follows);
 
@@ -99,7 +105,8 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   return result;
 }
 
-/// Spheres' centres from that of their body.
+/// Vectors from the centres of bodies to those of their spheres, at the offsets x and y in the
+/// frames of the bodies.
 inline Vector2<Lanes> arms_of(const double* x, const double* y, BlockConstants& frame) {
   const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)};
   Lanes cosine, sine;
@@ -175,10 +182,8 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first, const Plana
   each_two(frame_i, body_velocity, vxi, vyi);
   each_two(frame_j, body_velocity, vxj, vyj);
   const Vector2<Lanes> of_centres = {vxi - vxj, vyi - vyj};
-  const Vector2<Lanes> velocity =
-      velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j);
-  motion.separation_velocity = dot(velocity, motion.normal);
-  motion.tangential_velocity = cross_z(motion.normal, velocity);
+  set_velocities(motion,
+                 velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j));
   int sliding = flags.sliding;
   const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);

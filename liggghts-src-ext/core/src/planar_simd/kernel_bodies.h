@@ -36,9 +36,7 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   Lanes vx, vy;
   each_two(frame, body_velocity, vx, vy);
   const Vector2<Lanes> of_centre = {vx, vy};
-  const Vector2<Lanes> velocity = velocity_at(of_centre, spin, motion.lever_i);
-  motion.separation_velocity = dot(velocity, motion.normal);
-  motion.tangential_velocity = cross_z(motion.normal, velocity);
+  set_velocities(motion, velocity_at(of_centre, spin, motion.lever_i));
   int sliding = flags.sliding;
   const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);
@@ -116,8 +114,8 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
   }
 }
 
-/// rigid_motion.h's planar step for these bodies; the rotation by the increment of the angle is
-/// made on cosine and sine.
+/// Moves the bodies as advance() in rigid_motion.h does in the plane, but turns cosine and sine by
+/// the increment of the angle; returns how many bodies it has entered to be listed anew.
 int advance(const PlanarAdvance& arguments) {
   int entries = 0;
   for (int first = arguments.bodies.first; first < arguments.bodies.end; first += body_lanes) {

@@ -100,7 +100,7 @@ class CoarseGraining {
   std::vector<Field> fields(double frames = 1) const;
 
  private:
-  struct Row {  // places of one y and z
+  struct GridRow {  // places of one y and z
     double x, y, z;
   };
   struct Range {
@@ -114,7 +114,7 @@ class CoarseGraining {
   void for_rows(const Vector& low, const Vector& high, Visit visit) const;
   void spread(const Vector& centre, std::size_t first, std::size_t count, const double* values);
   void spread_line(const Interaction& interaction, const Vector& from);
-  Range columns_within(const Row& row, double low, double high) const;
+  Range columns_within(const GridRow& row, double low, double high) const;
   void add_weighted(std::size_t row, Range columns, std::size_t first, std::size_t count,
                     const double* values);
 
@@ -123,7 +123,7 @@ class CoarseGraining {
   int dimension_;
   bool gridded_;
   Grid grid_;
-  std::vector<Row> rows_;           // by y where the places are scattered, one place each
+  std::vector<GridRow> rows_;       // by y where the places are scattered, one place each
   std::vector<Vector> scattered_;   // places, as given
   std::vector<std::size_t> order_;  // scattered: index of the place of each row
   int columns_;                     // places in a row

@@ -85,6 +85,19 @@ inline Real trial_force(Real stiffness, Real spring, Real damping, Real velocity
   return -(stiffness * spring + damping * velocity);
 }
 
+/// The part of the spring in it, and, given a velocity in place of the spring, its rate.
+template <class Real>
+inline Real spring_force(Real stiffness, Real spring) {
+  return -stiffness * spring;
+}
+
+/// Coulomb's cap of the tangential force. `friction`: mu times the normal stiffness. Given the rate
+/// of the overlap, its rate.
+template <class Real>
+inline Real coulomb_cap(Real friction, Real overlap) {
+  return friction * overlap;
+}
+
 /// A divisor of which the inverse is known.
 template <class Real>
 struct KnownInverse {
@@ -95,7 +108,8 @@ inline Real operator/(Real dividend, KnownInverse<Real> divisor) {
   return dividend * divisor.inverse;
 }
 
-/// Elongation of the tangential spring that alone carries `force`: that of a contact that slides.
+/// Elongation of the tangential spring that alone carries `force`, the inverse of spring_force():
+/// that of a contact that slides.
 template <class Real, class Stiffness>
 inline Real carrying_spring(Real force, Stiffness stiffness) {
   return -force / stiffness;

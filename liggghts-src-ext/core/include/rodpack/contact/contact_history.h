@@ -13,7 +13,7 @@ namespace rodpack {
 // an array of doubles: the only kind of value that LIGGGHTS keeps for a contact, and writes to
 // restart files. SI units.
 
-/// Of its normal force.
+/// What a contact remembers of its normal force.
 struct NormalHistory {
   /// Force of spring and dashpot at the last evaluation, before its cut-off at 0, N.
   double viscoelastic = 0.0;
@@ -25,15 +25,16 @@ struct NormalHistory {
   std::int64_t next_step = 0;
 };
 
-/// Of its tangential force: vectors lie in the plane of contact of the last evaluation.
+/// What a contact remembers of its tangential force; vectors lie in the plane of contact of the
+/// last evaluation.
 struct TangentialHistory {
-  /// Velocities that are kept, up to max_multistep_order; not stored.
+  /// How many velocities are kept, at most max_multistep_order; this number is not stored.
   int slots = 0;
   /// Integral of the tangential velocity over the life of the contact, m.
   double spring[3] = {0.0, 0.0, 0.0};
   /// Tangential velocities of the last steps, newest first, m/s.
   double velocity[max_multistep_order][3] = {};
-  /// How many evaluations are known of, at most slots + 1; 0: no contact.
+  /// Evaluations that have been made, counted up to slots + 1; 0 where there is no contact.
   int known = 0;
   bool sliding = false;
   /// Number of the step of the last evaluation.
@@ -47,10 +48,10 @@ struct TangentialHistory {
   explicit TangentialHistory(int velocities) : slots(velocities) {}
 };
 
-/// Doubles that each takes.
+/// How many doubles each of the histories takes.
 constexpr int stored_normal_values = 4;
 constexpr int stored_tangential_values(int slots) { return 3 * (slots + 1) + 6; }
-/// Both, the normal one first.
+/// How many doubles both take, the normal one first.
 constexpr int stored_history_values(int slots) {
   return stored_normal_values + stored_tangential_values(slots);
 }

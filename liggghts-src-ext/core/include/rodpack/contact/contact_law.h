@@ -9,9 +9,10 @@ namespace rodpack {
 // Linear spring-dashpot contact of Lu et al., Granular Matter 18:34 (2016), section 2. Header-only
 // because it runs once per contact and step. Arguments are not checked.
 
-/// One contact as a register of one lane, for the formulas that registers of more share.
+// The formulas are written for registers of several contacts; to them one contact is a register of
+// one lane.
 inline bool lane_less(double a, double b) { return a < b; }
-/// a where the mask is true, else b.
+/// Returns a where the mask is true, else b.
 template <class Value>
 inline Value lane_choice(bool mask, Value a, Value b) {
   return mask ? a : b;
@@ -22,6 +23,11 @@ struct OneContact {
 };
 
 #include "contact_formulas.h"
+
+/// Effective mass of two particles in contact, m_i m_j / (m_i + m_j), kg.
+inline double effective_mass(double mass_i, double mass_j) {
+  return mass_i * mass_j / (mass_i + mass_j);
+}
 
 /// Dashpot constant c = 2 eta sqrt(m_ij k_ij), kg/s, from the damping ratio eta (1: critical), the
 /// effective mass (kg; for a wall the particle's own mass) and the contact stiffness (N/m).

@@ -7,8 +7,8 @@
 
 namespace rodpack {
 
-// How a contact of two spheres, or of a sphere and a wall, moves. A `Contact` is anything with the
-// members of LIGGGHTS's SurfacesIntersectData: en (unit normal from j to i), r, rinv, radi, radj,
+// How a contact of two spheres, or of a sphere and a wall, moves. A `Contact` is anything with
+// these members: en (unit normal from j to i), r, rinv, radi, radj,
 // radsum, deltan (overlap), delta (from the centre of j, or its wall, to that of i), v_i, v_j (of
 // the centres), omega_i, omega_j, cri, crj (from the centres to the contact point), vn (positive
 // when separating), vtr1..3 (tangential velocity), is_wall, kn, kt, gamman, gammat (stiffness and
@@ -62,17 +62,28 @@ inline void normal_turning_rate(const Contact& contact, double (&rate)[3]) {
                   : (contact.v_i[d] - contact.v_j[d] - contact.vn * contact.en[d]) * contact.rinv;
 }
 
-/// Lever from the centre of a sphere to the contact, and its rate: the overlap changes its length,
-/// cri or crj, and the normal turns by `turn`. `side` is 1 for i, from which the contact lies
-/// against the normal, and -1 for j.
+/// Distance from the centre of the sphere on a side to the contact: `side` is 1 for i, from which
+/// the contact lies against the normal, and -1 for j.
+template <class Contact>
+inline double length_of_lever(const Contact& contact, double side) {
+  return side > 0.0 ? contact.cri : contact.crj;
+}
+
+/// Lever from that centre to the contact.
+template <class Contact>
+inline void lever_of(const Contact& contact, double side, double (&lever)[3]) {
+  const double length = side * length_of_lever(contact, side);
+  for (int d = 0; d < 3; ++d) lever[d] = lever_component(0.0, length, contact.en[d]);
+}
+
+/// The same and its rate: the overlap changes its length, and the normal turns by `turn`.
 template <class Contact>
 inline void contact_lever(const Contact& contact, const double (&turn)[3], double side,
                           double (&lever)[3], double (&rate)[3]) {
-  const double length = side > 0.0 ? contact.cri : contact.crj;
-  for (int d = 0; d < 3; ++d) {
-    lever[d] = lever_component(0.0, side * length, contact.en[d]);
+  const double length = length_of_lever(contact, side);
+  lever_of(contact, side, lever);
+  for (int d = 0; d < 3; ++d)
     rate[d] = -side * (0.5 * contact.vn * contact.en[d] + length * turn[d]);
-  }
 }
 
 /// The rate, in space, of a force `now` that grows by `rate` in a frame that turns with the

@@ -10,7 +10,7 @@ namespace rodpack {
 using Vector = std::array<double, 3>;
 
 /// One contact of two primary spheres, or of a sphere and a wall. SI units.
-struct Contact {
+struct SphereContact {
   long i, j;  // ids of the particles; j is of no meaning at a wall
   bool wall;
   Vector point;               // of contact, m
@@ -39,7 +39,7 @@ struct ContactPairs {
 
 /// Sums the contacts of each pair of particles; those of a wall stay apart, each with its own
 /// contact point. Two particles that touch in two periodic images have two interactions.
-ContactPairs sum_pairs(std::vector<Contact> contacts);
+ContactPairs sum_pairs(std::vector<SphereContact> contacts);
 
 /// Sorted, each pair once: those of several processes, whose contacts add up.
 std::vector<TouchingPair> merge_pairs(std::vector<TouchingPair> pairs);
@@ -50,7 +50,8 @@ struct Touching {
   int contacts = 0;
 };
 
-/// By particle id; `count` entries, ids below it.
+/// Counts for each particle what it touches. `count`: of the particles, whose ids are below it and
+/// are the indices of the result.
 std::vector<Touching> count_touching(const std::vector<TouchingPair>& pairs, std::size_t count);
 
 }  // namespace rodpack

@@ -42,7 +42,7 @@ inline void share_change(const Contact& contact, const ForceChange& on_i, Add ad
   add(-1, on_j, lever, rate);
 }
 
-/// The sum over the contacts of a body.
+/// The changes of the forces of all contacts of a body, summed up.
 struct BodyChange {
   ForceChange force, torque;  // torque about the centre of mass
 };
@@ -56,7 +56,7 @@ struct PlanarJump {
   double cosine, sine;  // orientation of the body then
 };
 
-/// The same in space, of a point of the body and of the body's rotation.
+/// The same in space: the changes of the motion of a point of the body, and of its rotation.
 struct SpatialJump {
   double acceleration[3], velocity[3], displacement[3];
   double angular_acceleration[3], angular_velocity[3], rotation[3];
@@ -68,7 +68,7 @@ static_assert(offsetof(SpatialJump, acceleration) == 0 && offsetof(SpatialJump, 
                   offsetof(SpatialJump, rotation) == 120 && sizeof(SpatialJump) == 144,
               "jumps are stored for each sphere, in restart files too, as plain doubles");
 
-/// For a body in planar motion. Divisor: double, or KnownInverse<double>.
+/// The correction of a body in planar motion. `Divisor` is double or KnownInverse<double>.
 template <class Divisor>
 struct PlanarCorrection {
   Divisor mass, moment;  // kg; kg m^2 about z
@@ -109,7 +109,7 @@ struct PlanarCorrection {
   }
 };
 
-/// For a body in space.
+/// The correction of a body that moves in space.
 struct SpatialCorrection {
   double mass;           // kg
   double inertia[3];     // principal moments, kg m^2
@@ -151,6 +151,33 @@ struct ContactJump {
   double acceleration[3], velocity[3], displacement[3];
 };
 
+/// The component of a ContactJump along one axis.
+struct ContactJumpComponent {
+  double acceleration, velocity, displacement;
+};
+
+/// The component along a unit vector.
+inline ContactJumpComponent component(const ContactJump& jump, const double (&axis)[3]) {
+  return {dot(jump.acceleration, axis), dot(jump.velocity, axis), dot(jump.displacement, axis)};
+}
+
+/// Gives the tangential spring of a contact (m) and its velocities of the last steps (m/s), along
+/// one axis, what they could not know of a jump: the spring grows by the displacement, and the
+/// velocity k steps before the end of the last one by that of a motion with the changed
+/// acceleration. `velocity`(k) refers to one of `count` velocities, newest first, `dt` (s) apart.
+template <class Velocity>
+inline void follow_jump(const ContactJumpComponent& jump, double dt, double& spring, int count,
+                        Velocity velocity) {
+  spring += jump.displacement;
+  for (int k = 0; k < count; ++k) velocity(k) += jump.velocity - k * dt * jump.acceleration;
+}
+
+/// The viscoelastic force of the last evaluation (N), had its dashpot (kg/s) known of a jump;
+/// `separation_jump`: of the velocity along the normal, m/s.
+inline double viscoelastic_before(double evaluated, double damping, double separation_jump) {
+  return evaluated - damping * separation_jump;
+}
+
 /// The jump of another point of the body, `arm` away.
 inline SpatialJump jump_at(const SpatialJump& jump, const double (&arm)[3]) {
   SpatialJump result = jump;
@@ -160,7 +187,7 @@ inline SpatialJump jump_at(const SpatialJump& jump, const double (&arm)[3]) {
   return result;
 }
 
-/// Of the centre of mass.
+/// The jump of a body in planar motion as that of its centre of mass in space.
 inline SpatialJump to_space(const PlanarJump& jump) {
   SpatialJump result = {};
   for (int d = 0; d < 2; ++d) {
@@ -174,7 +201,8 @@ inline SpatialJump to_space(const PlanarJump& jump) {
   return result;
 }
 
-/// Of a point of a body in planar motion; its orientation is to be set.
+/// The jump of a point of a body in planar motion, in the plane; the body's orientation is to be
+/// set.
 inline PlanarJump to_plane(const SpatialJump& jump) {
   PlanarJump result = {};
   for (int d = 0; d < 2; ++d) {
@@ -192,9 +220,8 @@ inline PlanarJump to_plane(const SpatialJump& jump) {
 template <class Contact>
 inline void add_jump(const Contact& contact, double side, const SpatialJump& of_sphere,
                      ContactJump& sum) {
-  const double length = side > 0.0 ? contact.cri : contact.crj;
   double lever[3];
-  for (int d = 0; d < 3; ++d) lever[d] = lever_component(0.0, side * length, contact.en[d]);
+  lever_of(contact, side, lever);
   const SpatialJump surface = jump_at(of_sphere, lever);
   for (int d = 0; d < 3; ++d) {
     sum.acceleration[d] += side * surface.acceleration[d];
@@ -203,12 +230,12 @@ inline void add_jump(const Contact& contact, double side, const SpatialJump& of_
   }
 }
 
-/// The same of the body in planar motion on that side, in whose frame its sphere's centre is at
-/// `offset`.
+/// Adds what a jump of the body on a side does that is in planar motion, and in whose frame the
+/// sphere's centre is at `offset`.
 template <class Contact>
 inline void add_jump(const Contact& contact, double side, const PlanarJump& of_body,
                      const double (&offset)[2], ContactJump& sum) {
-  const double length = side > 0.0 ? contact.cri : contact.crj;
+  const double length = length_of_lever(contact, side);
   const Vector2<double> arm = turned<double>(of_body.cosine, of_body.sine, {offset[0], offset[1]});
   const Vector2<double> to_contact =
       lever_in_plane<double>(arm, side * length, {contact.en[0], contact.en[1]});

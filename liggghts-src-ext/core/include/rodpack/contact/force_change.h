@@ -115,13 +115,14 @@ inline ForceChange torque_change(const double (&lever)[3], const double (&lever_
   return torque;
 }
 
-/// In space.
+/// The torque of a changed force in space, from lever and lever rate.
 inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
                                  const ForceChange& force) {
   return torque_change(lever, lever_rate, force, cross);
 }
 
-/// Where everything lies in the plane of x and y: z components alone, the others are 0.
+/// The torque of a changed force where everything lies in the plane of x and y: it has a z
+/// component alone, the others are 0.
 inline ForceChange planar_torque_change(const double (&lever)[3], const double (&lever_rate)[3],
                                         const ForceChange& force) {
   return torque_change(lever, lever_rate, force,

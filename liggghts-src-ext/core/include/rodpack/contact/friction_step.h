@@ -56,7 +56,8 @@ inline void stuck_force(const FrictionStep& step, const double (&spring)[3], dou
     force[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
 }
 
-/// By which the force of spring and dashpot was beyond the cap one step ago; `cap`: that of now.
+/// The excess of the force of spring and dashpot over the cap one step ago (N); `cap` is that of
+/// now.
 inline double excess_before(const FrictionStep& step, double cap) {
   double before[3];
   for (int d = 0; d < 3; ++d)
@@ -116,15 +117,16 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
       result.force[d] = cap / strength * result.force[d];
     }
 
-  // Cut off, the spring is short by the same length ever after. At a standstill the force goes on
-  // from the cap, but for the dashpot of a velocity across it, in space.
+  // After a cap drop the spring is short by the same length ever after. At a standstill the force
+  // goes on from the cap, but for the dashpot of a velocity across it, in space.
   double across = 0.0;
   for (int d = 0; d < 3; ++d) {
     const double v = step.velocity[0][d];
     across = std::max(across, std::fabs(v - slip[0] * direction[d]));
     result.gain[d] = result.force[d] - (stands ? cap * direction[d] : stuck[d]);
-    result.gain_rate[d] = stands ? -step.stiffness * v -
-                                       step.damping * (v - step.velocity[1][d]) / step.dt -
+    // The force of spring and dashpot grows as that of velocity and acceleration.
+    const double acceleration = (v - step.velocity[1][d]) / step.dt;
+    result.gain_rate[d] = stands ? trial_force(step.stiffness, v, step.damping, acceleration) -
                                        step.cap_rate * direction[d]
                                  : 0.0;
   }

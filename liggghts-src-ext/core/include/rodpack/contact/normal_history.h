@@ -60,9 +60,9 @@ void go_on(const Contact& contact, const NormalHistory& history, double viscoela
            bool had_just_touched, double dt, Events& events) {
   ContactJump jump;
   const bool moved = events.motion_changed(contact, jump);
-  // The dashpot of the last evaluation did not know of it.
-  const double before =
-      history.viscoelastic - (moved ? contact.gamman * dot(jump.velocity, contact.en) : 0.0);
+  const double before = moved ? viscoelastic_before(history.viscoelastic, contact.gamman,
+                                                    dot(jump.velocity, contact.en))
+                              : history.viscoelastic;
   if ((viscoelastic > 0.0) != (before > 0.0)) cross_zero(contact, before, viscoelastic, dt, events);
   if (!moved || !(viscoelastic > 0.0)) return;
   double parts[3][3];

@@ -97,9 +97,9 @@ inline void follow_bodies(const double* en, double dt, ContactJump& jump,
   in_plane(en, jump.velocity);
   in_plane(en, jump.displacement);
   for (int d = 0; d < 3; ++d) {
-    history.spring[d] += jump.displacement[d];
-    for (int k = 0; k < std::min(history.known, history.slots); ++k)
-      history.velocity[k][d] += jump.velocity[d] - k * dt * jump.acceleration[d];
+    follow_jump({jump.acceleration[d], jump.velocity[d], jump.displacement[d]}, dt,
+                history.spring[d], std::min(history.known, history.slots),
+                [&](int k) -> double& { return history.velocity[k][d]; });
   }
 }
 
@@ -180,8 +180,8 @@ FrictionForce follow_through_step(const Contact& contact, const TangentialPast& 
   FrictionStep step;
   step.stiffness = contact.kt;
   step.damping = contact.gammat;
-  step.cap = friction * contact.deltan;
-  step.cap_rate = -friction * contact.vn;
+  step.cap = coulomb_cap(friction, contact.deltan);
+  step.cap_rate = coulomb_cap(friction, -contact.vn);
   step.dt = dt;
   step.known = past.known;
   step.slid = past.sliding;
@@ -201,7 +201,8 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
     double rate[3];
     if (!(past.since > 0.0)) return;
     const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-    for (int d = 0; d < 3; ++d) rate[d] = sliding ? force[d] / past.since : -kt * velocity[d];
+    for (int d = 0; d < 3; ++d)
+      rate[d] = sliding ? force[d] / past.since : spring_force(kt, velocity[d]);
     events.add(contact, change_in_space(contact, force, rate, past.since), !sliding && gamma > 0.0);
     return;
   }
@@ -219,7 +220,8 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
   const double since = past.since;
   for (int d = 0; d < 3; ++d) {
     const double at_touch = trial_force(kt, past.spring[d], gamma, past.velocity[d]);
-    // of spring and dashpot: as the force itself, with velocity and acceleration
+    // The rate of spring and dashpot is their force with velocity and acceleration in the place of
+    // spring and velocity.
     const double applied =
         trial_force(kt, past.velocity[d] - jump.velocity[d], gamma, jump.acceleration[d]);
     missed.rate[d] = (force[d] - at_touch) / dt - applied;
@@ -251,21 +253,22 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
   TangentialForce result;
   double(&force)[3] = result.force, (&spring)[3] = result.spring;
   std::copy(history.spring, history.spring + 3, spring);
+  const double cap = coulomb_cap(friction, contact.deltan);
   FrictionForce law;
   law.changed = false;
   if (renewed && followed && past.alive && contact.gammat > 0.0 &&
-      may_change_branch(contact, past, spring, velocity, friction * contact.deltan)) {
+      may_change_branch(contact, past, spring, velocity, cap)) {
     law = follow_through_step(contact, past, history, friction, step.dt, spring);
     std::copy(law.force, law.force + 3, force);
     sliding = law.slides;
   } else if (renewed || !sliding) {
-    sliding = tangential_force(contact.kt, contact.gammat, std::max(friction * contact.deltan, 0.0),
-                               spring, velocity, force);
+    sliding =
+        tangential_force(contact.kt, contact.gammat, std::max(cap, 0.0), spring, velocity, force);
   }
   // A sliding contact's spring alone carries the force: taken from it, the force is the same when
   // it is evaluated again in the same step.
   if (sliding && contact.kt > 0.0)
-    for (int d = 0; d < 3; ++d) force[d] = -contact.kt * spring[d];
+    for (int d = 0; d < 3; ++d) force[d] = spring_force(contact.kt, spring[d]);
   if (renewed) {
     std::copy(spring, spring + 3, history.spring);
     history.sliding = sliding;
@@ -294,8 +297,8 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history,
     if (!(length > 0.0)) return;
     for (int d = 0; d < 3; ++d) {
       const double direction = -history.spring[d] / length;
-      now[d] = -history.friction * contact.deltan * direction;
-      rate[d] = history.friction * contact.vn * direction;
+      now[d] = -coulomb_cap(history.friction, contact.deltan) * direction;
+      rate[d] = -coulomb_cap(history.friction, -contact.vn) * direction;
     }
     events.add(contact, change_in_space(contact, now, rate, since), false);
     return;

@@ -6,7 +6,8 @@
 
 /// What the text dumps of bodies, spheres and contacts hold: the styles write these columns, the
 /// post-processor reads them, liggghts-src-ext/doc explains them. Each dump has its columns by
-/// name, all of them in the order of the file, and a row of values in the same order.
+/// name, all of them in the order of the file, and a row of values in the same order. These are the
+/// formats that styles and post-processor share: so, of the whole core, this file names styles.
 namespace rodpack {
 
 /// One column: its name in the dump's header line, and the SI unit of its values, empty for a pure
@@ -41,7 +42,7 @@ constexpr DumpColumn columns[] = {id, type,        nspheres, x,         y,      
                                   vy, vz,          omegax,   omegay,    omegaz, qw,  qx,    qy,
                                   qz, half_length, radius,   curvature, area,   mass};
 
-struct Row {
+struct BodyRow {
   double id, type, nspheres;
   double centre[3];  // of mass
   double angle;
@@ -65,7 +66,7 @@ constexpr DumpColumn fsum = {"fsum", "N", false};  // sum of the magnitudes of i
 
 constexpr DumpColumn columns[] = {id, body, type, x, y, z, radius, fx, fy, fz, fsum};
 
-struct Row {
+struct SphereRow {
   double id, body, type;
   double centre[3];
   double radius;
@@ -94,7 +95,7 @@ constexpr DumpColumn columns[] = {body_i, body_j,    sphere_i,  sphere_j, wall, 
                                   fx,     fy,        fz,        bix,      biy,  biz, bjx, bjy,
                                   bjz,    overlap_n, overlap_t, nx,       ny,   nz};
 
-struct Row {
+struct ContactRow {
   double body_i, body_j, sphere_i, sphere_j, wall;
   double point[3];         // half-way into the overlap
   double force[3];         // exerted on i by j
@@ -112,9 +113,9 @@ constexpr bool fits(const DumpColumn (&)[number]) {
   return sizeof(Row) == number * sizeof(double);
 }
 
-static_assert(fits<body_dump::Row>(body_dump::columns), "one value per column");
-static_assert(fits<sphere_dump::Row>(sphere_dump::columns), "one value per column");
-static_assert(fits<contact_dump::Row>(contact_dump::columns), "one value per column");
+static_assert(fits<body_dump::BodyRow>(body_dump::columns), "one value per column");
+static_assert(fits<sphere_dump::SphereRow>(sphere_dump::columns), "one value per column");
+static_assert(fits<contact_dump::ContactRow>(contact_dump::columns), "one value per column");
 
 }  // namespace rodpack
 

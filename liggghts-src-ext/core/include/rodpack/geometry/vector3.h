@@ -10,7 +10,7 @@ inline double dot(const double* a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// result = a x b; must be none of them.
+/// Sets result = a x b; it must not be a or b itself.
 inline void cross(const double* a, const double* b, double* result) {
   result[0] = a[1] * b[2] - a[2] * b[1];
   result[1] = a[2] * b[0] - a[0] * b[2];

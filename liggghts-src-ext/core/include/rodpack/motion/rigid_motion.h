@@ -35,6 +35,17 @@ struct PlanarRates {
   double angular_velocity;      // rad/s
   double acceleration[2];       // m/s^2
   double angular_acceleration;  // rad/s^2
+
+  /// Adds, to a record, what an event of the forces makes it gain.
+  PlanarRates& operator+=(const PlanarRates& gain) {
+    for (int d = 0; d < 2; ++d) {
+      velocity[d] += gain.velocity[d];
+      acceleration[d] += gain.acceleration[d];
+    }
+    angular_velocity += gain.angular_velocity;
+    angular_acceleration += gain.angular_acceleration;
+    return *this;
+  }
 };
 
 /// Motion in three dimensions, space frame.
@@ -50,6 +61,16 @@ struct SpatialRates {
   double acceleration[3];     // m/s^2
   double torque[3];           // about the centre of mass, N m
   double quaternion_rate[4];  // dq/dt, 1/s
+
+  SpatialRates& operator+=(const SpatialRates& gain) {
+    for (int d = 0; d < 3; ++d) {
+      velocity[d] += gain.velocity[d];
+      acceleration[d] += gain.acceleration[d];
+      torque[d] += gain.torque[d];
+    }
+    for (int d = 0; d < 4; ++d) quaternion_rate[d] += gain.quaternion_rate[d];
+    return *this;
+  }
 };
 
 // The records lie in arrays of doubles of the bodies, in restart files too.
@@ -123,6 +144,12 @@ inline void half_product(const double (&omega)[3], const double (&q)[4], double 
   result[3] = 0.5 * (q[0] * omega[2] + omega[0] * q[2] - omega[1] * q[1]);
 }
 
+/// A component of a velocity `age` seconds before birth, as the acceleration at birth, held
+/// constant, has it.
+inline double velocity_before_birth(double velocity, double acceleration, double age) {
+  return velocity - age * acceleration;
+}
+
 /// Fills the records before birth, history[0..order-2], from the newest one, history[order-1]: the
 /// free motion backwards in time under the forces at birth, held constant. Force entries become 0.
 inline void fill_kinematic_history(PlanarRates* history, int order, double dt) {
@@ -131,13 +158,14 @@ inline void fill_kinematic_history(PlanarRates* history, int order, double dt) {
     PlanarRates& past = history[order - 1 - k];
     past = PlanarRates{};
     for (int d = 0; d < 2; ++d)
-      past.velocity[d] = birth.velocity[d] - k * dt * birth.acceleration[d];
-    past.angular_velocity = birth.angular_velocity - k * dt * birth.angular_acceleration;
+      past.velocity[d] = velocity_before_birth(birth.velocity[d], birth.acceleration[d], k * dt);
+    past.angular_velocity =
+        velocity_before_birth(birth.angular_velocity, birth.angular_acceleration, k * dt);
   }
 }
 
-/// The same in three dimensions; the orientation is carried back from `birth` by Runge-Kutta steps
-/// of fourth order. `inertia`: principal moments, kg m^2.
+/// Fills the records before birth in three dimensions; the orientation is carried back from `birth`
+/// by Runge-Kutta steps of fourth order. `inertia`: principal moments, kg m^2.
 void fill_kinematic_history(SpatialRates* history, int order, double dt, const SpatialMotion& birth,
                             const double (&inertia)[3]);
 

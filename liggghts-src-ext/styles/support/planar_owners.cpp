@@ -8,7 +8,6 @@
 #include "fix_property_atom.h"
 #include "lammps.h"
 #include "modify.h"
-#include "planar_stop.h"
 
 namespace LAMMPS_NS {
 
@@ -24,8 +23,8 @@ void PlanarOwners::create_property(LAMMPS* lmp, const char* caller) {
 
 void PlanarOwners::connect() {
   if (comm->nprocs > 1)
-    ranks_ = static_cast<FixPropertyAtom*>(
-        modify->find_fix_property(name, "property/atom", "vector", 2, 0, planar_run_style));
+    ranks_ = static_cast<FixPropertyAtom*>(modify->find_fix_property(
+        name, "property/atom", "vector", 2, 0, "run_style verlet/planar"));
 }
 
 void PlanarOwners::renew(FixMultisphere& bodies) {
