@@ -4,11 +4,11 @@
 # clang-tidy with .clang-tidy on lines that changed since a base, committed or not. The base is the
 # environment's RODPACK_BASE, else where HEAD left origin/main, else, on origin/main itself, HEAD's
 # first parent. BUILD holds compile_commands.json. A large change takes long: the RODPACK_TIDY_FILES
-# (default 24) sources with the most changed lines are checked, and the others named.
+# (default 12) sources with the most changed lines are checked, and the others named.
 set -eu
 cd "$1"
 build=$2
-most=${RODPACK_TIDY_FILES:-24}
+most=${RODPACK_TIDY_FILES:-12}
 
 skip() {
   echo "skipped: $1"
