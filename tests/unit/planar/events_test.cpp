@@ -74,6 +74,44 @@ TEST(PlanarEvents, TouchChangesForceAndTorqueOfBothBodies) {
   EXPECT_EQ(events.changes(1).size(), 1u);
 }
 
+// The lever L of a force from the centre of mass is the arm to the centre of the sphere, which
+// turns at the spin w of the body, and the lever from there to the contact, against the normal n:
+//   L = arm - r n,   L' = w x arm - r' n - r n',   r = R - delta/2,  r' = v_n/2,  n' = v_t/|x_i -
+//   x_j|
+// with the relative velocity (v_t, v_n) of the centres. The torque L x D of a change D has the rate
+// L x D' + L' x D, and its impulse is the integral of (L - (now - t) L') x D.
+TEST(PlanarEvents, TheArmOfABodyThatSpinsTurns) {
+  const double spin = 30, arm = 4e-3, distance = 1.9 * radius, slip = 0.3, r = 0.95 * radius;
+  PlanarKinematics i = at_rest(0, distance), j = at_rest(0, 0);
+  i.velocity[2] = spin;
+  j.velocity[0] = -slip;
+  PlanarContact contact = contact_of(0, 2);
+  contact.offset_i[0] = contact.offset_j[0] = arm;
+  place_pair(contact, i, j);
+  const double vn = spin * arm;
+  const ForceChange change = {{2, 3, 0}, {5e4, -7e4, 0}, {1e-6, 4e-6, 0}, {3e-11, -5e-11, 0}};
+  PlanarEvents events = events_of_three();
+  events.add(contact, change, false);
+  const auto product = [](const double(&lever)[2], const double(&force)[3]) {
+    return lever[0] * force[1] - lever[1] * force[0];
+  };
+  for (const int part : {0, 1}) {  // bodies 0 and 2
+    const double side = part == 0 ? 1 : -1;
+    const double lever[2] = {arm, -side * r};
+    const double lever_rate[2] = {-side * r * slip / distance,
+                                  (part == 0 ? spin * arm : 0.0) - side * vn / 2};
+    const ForceChange& torque = only_change(events, part).sum.torque;
+    const auto expect = [&](double value, double expected) {
+      EXPECT_NEAR(value, side * expected, 1e-12 * std::fabs(expected));
+    };
+    expect(torque.now[2], product(lever, change.now));
+    expect(torque.rate[2], product(lever, change.rate) + product(lever_rate, change.now));
+    expect(torque.impulse[2],
+           product(lever, change.impulse) - product(lever_rate, change.impulse_integral));
+    expect(torque.impulse_integral[2], product(lever, change.impulse_integral));
+  }
+}
+
 // Several contacts of a body add up; a wall keeps nothing.
 TEST(PlanarEvents, ChangesOfABodyAddUp) {
   PlanarEvents events = events_of_three();

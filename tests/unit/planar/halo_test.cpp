@@ -75,10 +75,15 @@ class OtherRank : public PlanarRanks {
   }
   void swap(std::vector<PlanarLink>& links) override {
     links_of_last_swap = static_cast<int>(links.size());
+    if (!links.empty()) {
+      const std::vector<double>& out = links[0].out;
+      sent_in_step.assign(out.begin(), out.begin() + links[0].out_count);
+    }
     for (PlanarLink& link : links) std::copy(step.begin(), step.end(), link.in.begin());
   }
 
-  std::vector<double> box, message, step, sent;  // corners and reach; new ghosts; a step of theirs
+  std::vector<double> box, message, step;  // corners and reach; new ghosts; a step of theirs
+  std::vector<double> sent, sent_in_step;  // what the rank has said: of new ghosts; of a step
   int questions = 0, links_of_last_swap = 0;
 };
 
@@ -119,7 +124,8 @@ TEST(PlanarHaloMessages, AFrameLeavesTheRadiusAsItIs) {
   double values[16];
   PlanarKinematics told = PlanarKinematics();
   told.radius = 9.0;
-  EXPECT_EQ(unpack_kinematics(values, told), pack_kinematics(frame, values));
+  double* const end = pack_kinematics(frame, values);
+  EXPECT_EQ(unpack_kinematics(values, told), end);
   EXPECT_EQ(told.y, 2.0);
   EXPECT_EQ(told.sine, 0.8);
   EXPECT_EQ(told.velocity[2], 5.0);
@@ -189,6 +195,7 @@ TEST(PlanarHalo, SendsTheBodiesThatTheOtherRankMayTouch) {
   }
 }
 
+// In both directions: the other rank is sent body 1, which has jumped.
 TEST(PlanarHalo, BringsGhostsToEachStep) {
   Rank rank;
   OtherRank other;
@@ -210,6 +217,7 @@ TEST(PlanarHalo, BringsGhostsToEachStep) {
   *next++ = 1.0;
   *next++ = 1.0;
   pack_change(some_change(), next);
+  rank.events.set_jumped(1, some_change());
   EXPECT_FALSE(halo.update(to_list));
   EXPECT_EQ(other.links_of_last_swap, 1);
   EXPECT_EQ(rank.bodies.kinematics(2).x, 0.0601);
@@ -218,6 +226,16 @@ TEST(PlanarHalo, BringsGhostsToEachStep) {
   ASSERT_TRUE(rank.events.jumped(3));
   expect_same(rank.events.motion(3), some_change());
   EXPECT_EQ(halo.ghosts_brought(), 2);
+
+  const PlanarKinematics& own = rank.bodies.kinematics(1);
+  std::vector<double> expected = {own.x,           own.y,           own.cosine,     own.sine,
+                                  own.velocity[0], own.velocity[1], own.velocity[2]};
+  expected.push_back(1.0);  // body that has jumped, and
+  expected.push_back(0.0);  // its place among those that are sent
+  for (double value = 1.0; value < 10.0; value += 1.0) expected.push_back(value);  // some_change()
+  expected.push_back(0.6);
+  expected.push_back(0.8);
+  EXPECT_EQ(other.sent_in_step, expected);
 }
 
 // Bodies at |v| + |w| reach = 0.2236 + 3 * 0.0045 = 0.2371 m/s go 2.61 um in a step; at twice that
