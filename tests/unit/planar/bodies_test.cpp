@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "heap.h"
+#include "planar/events.h"
+#include "planar/neighbours.h"
 
 namespace rodpack {
 namespace {
@@ -116,6 +118,116 @@ TEST(PlanarBodies, TheNewbornGetAPastOfConstantAcceleration) {
                        0.0},
                       1e-15);
   }
+}
+
+namespace {
+
+/// A body with a record of every past step, all of them different.
+PlanarBody with_past(int order) {
+  PlanarBody body = moving(rod(5, 0.01, 1.4e-3, 0), 0.1, 0.2, 3.0);
+  body.evaluations = order + 1;
+  for (int k = 0; k < order - 1; ++k)
+    body.past[k] = {{1.0 + k, 2.0 + k}, 3.0 + k, {4.0 + k, 5.0 + k}, 6.0 + k};
+  return body;
+}
+
+/// Makes the step from `step` on, of the only part.
+void advance(PlanarBodies& bodies, PlanarNeighbours& neighbours, long step) {
+  bodies.prepare(0, step);
+  PlanarAdvance arguments = PlanarAdvance();
+  bodies.set_arguments(0, step, arguments);
+  neighbours.set_arguments(0, arguments);
+  std::vector<int> to_list(bodies.owned());
+  arguments.to_list = to_list.data();
+  planar_kernel(PlanarInstructions::baseline).advance(arguments);
+}
+
+}  // namespace
+
+// Each step adds the velocity and the acceleration F/m, T/I with which it began, and makes the
+// others older by one. The loads are kept different from step to step by gravity that is not the
+// load before.
+TEST(PlanarBodies, PastIsThatOfTheStepsBefore) {
+  for (const int order : {2, 3, 4}) {
+    PlanarSettings settings = settings_of();
+    settings.order = order;
+    settings.gravity[1] = -9.81;
+    PlanarBody body = with_past(order);
+    const double load[3] = {1e-3, -2e-3, 1e-7};
+    std::copy_n(load, 3, body.load);
+    const PlanarParts parts = {1, 4};
+    PlanarBodies bodies(settings, parts, {body});
+    PlanarBlocks blocks(1, 3);
+    PlanarDependencies dependencies(parts);
+    PlanarNeighbours neighbours(settings, bodies, parts, blocks, dependencies);
+    neighbours.set_longest_reach(bodies.longest_reach());
+    neighbours.list_all();
+    for (long step = 0; step < 4; ++step) {
+      const PlanarBody before = bodies.state(0, step);
+      advance(bodies, neighbours, step);
+      const PlanarBody after = bodies.state(0, step + 1);
+      expect_same_rates(after.past[0],
+                        {{before.velocity[0], before.velocity[1]},
+                         before.velocity[2],
+                         {before.load[0] / body.mass, before.load[1] / body.mass},
+                         before.load[2] / body.moment},
+                        1e-12);
+      for (int k = 1; k < order - 1; ++k) expect_same_rates(after.past[k], before.past[k - 1], 0.0);
+    }
+  }
+}
+
+// A constant force F has begun s ago at the contact of a sphere, at the end of an arm along x, with
+// the floor: with the torque T = lever x F. The step lacks the velocity F s/m and the displacement
+// F s^2/(2 m). Continued backwards, the force is F at all times, and the velocity that it makes of
+// 0 at its beginning is F (s - t)/m at a time t ago; the same of the torque and the rotation.
+TEST(PlanarBodies, AnEventCorrectsThePastAndLeavesWhatWasMissed) {
+  for (const int order : {2, 3, 4})
+    for (const long step : {0, 1, 2}) {
+      PlanarSettings settings = settings_of();
+      settings.order = order;
+      const PlanarParts parts = {1, 4};
+      PlanarBodies bodies(settings, parts, {with_past(order)});
+      PlanarEvents events(parts);
+      events.resize(1);
+      PlanarContact contact = PlanarContact();
+      contact.body_i = 0;
+      contact.radi = 0.5 * diameter;
+      contact.offset_i[0] = 4e-3;
+      PlanarKinematics at_rest = bodies.kinematics(0);
+      std::fill_n(at_rest.velocity, 3, 0.0);
+      place_wall(contact, at_rest, PlanarWall{1, 0.0, 0});
+      const double s = 0.3 * settings.dt, force[3] = {0.02, 0.05, 0.0};
+      const double lever[2] = {4e-3,
+                               -0.5 * (0.5 * diameter + 1.4e-3)};  // to the middle of the lens
+      const double torque = lever[0] * force[1] - lever[1] * force[0];
+      events.add(contact, linear_change(force, {0, 0, 0}, s), true);
+
+      const PlanarBody before = bodies.state(0, step);
+      bodies.apply_events(0, step, events);
+      const PlanarBody after = bodies.state(0, step);
+      const double acceleration[3] = {force[0] / before.mass, force[1] / before.mass,
+                                      torque / before.moment};
+      ASSERT_TRUE(events.jumped(0));
+      for (int d = 0; d < 3; ++d) {
+        const double a = acceleration[d];
+        EXPECT_NEAR(after.missed_velocity[d], a * s, 1e-12 * std::fabs(a * s));
+        EXPECT_NEAR(after.missed_displacement[d], a * s * s / 2, 1e-12 * std::fabs(a * s * s));
+        EXPECT_NEAR(events.motion(0).acceleration[d], a, 1e-12 * std::fabs(a));
+      }
+      for (int k = 0; k < order - 1; ++k) {
+        const double share = s - (k + 1) * settings.dt;
+        const PlanarRates& old = before.past[k];
+        expect_same_rates(
+            after.past[k],
+            {{old.velocity[0] + share * acceleration[0], old.velocity[1] + share * acceleration[1]},
+             old.angular_velocity + share * acceleration[2],
+             {old.acceleration[0] + acceleration[0], old.acceleration[1] + acceleration[1]},
+             old.angular_acceleration + acceleration[2]},
+            1e-9);
+      }
+      EXPECT_TRUE(events.changes(0).empty());
+    }
 }
 
 TEST(PlanarBodies, LoadsBeginWithTheWeight) {
