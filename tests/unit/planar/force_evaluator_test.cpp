@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The ways of one contact through the force evaluator: the fast path, the shortened one of contacts
+// whose bodies have jumped, and the general path. Where several know a contact they have to agree.
+#include "planar/force_evaluator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "heap.h"
+
+namespace rodpack {
+namespace {
+
+const int slots = 3;
+const double overlap = 2e-5;
+
+/// Contacts to which nothing happens: stuck far below the cap, or sliding on.
+enum Branch { stuck, sliding };
+
+/// Two parallel rods side by side, the lower one on the floor, both turned and in motion a little,
+/// with contacts that last: the spheres of rods that lie face to face, and those at the floor.
+struct Contacts {
+  PlanarSettings settings;
+  PlanarParts parts = {2, 4};
+  PlanarKernel kernel;
+  PlanarBodies bodies;
+  PlanarBlocks blocks = {2, slots};
+  PlanarEvents events = PlanarEvents(parts);
+  PlanarDependencies dependencies = PlanarDependencies(parts);
+  PlanarNeighbours neighbours = {settings, bodies, parts, blocks, dependencies};
+  PlanarForceEvaluator evaluator = {settings, kernel, bodies, neighbours, blocks, events};
+
+  static PlanarSettings settings_for(int order, PlanarInstructions instructions) {
+    PlanarSettings settings = settings_of();
+    settings.order = order;
+    settings.instructions = instructions;
+    settings.walls = {{1, 0.0, 0}};
+    return settings;
+  }
+  static std::vector<PlanarBody> rods(Branch branch) {
+    const double slip = branch == stuck ? 1e-3 : 0.2;
+    const double y = 0.5 * diameter - overlap;
+    return {moving(rod(5, 0, y, 1e-4), 0.5 * slip, -2e-3, 0.1),
+            moving(rod(5, 1e-6, y + diameter - overlap, -2e-4), 2 * slip, 1e-3, -0.2)};
+  }
+
+  Contacts(Branch branch, int order, PlanarInstructions instructions)
+      : settings(settings_for(order, instructions)),
+        kernel(planar_kernel(instructions)),
+        bodies(settings, parts, rods(branch)) {
+    events.resize(2);
+    neighbours.set_longest_reach(bodies.longest_reach());
+    neighbours.list_all();
+    for (PlanarBlockPool* pool : {&blocks.pairs, &blocks.at_walls}) fill(*pool, branch);
+    blocks.sort(parts, dependencies);
+    bodies.begin_loads();
+  }
+
+  /// Gives every sphere pair that overlaps another history of its branch.
+  void fill(PlanarBlockPool& pool, Branch branch) {
+    for (int place = 0; place < pool.size(); ++place)
+      for (int lane = 0; lane < planar_lanes; ++lane) {
+        if (!(pool.head(place).used & 1 << lane)) continue;
+        PlanarLaneState state;
+        pool.save(place, lane, state);
+        if (pool.head(place).j >= 0 && state.sphere_i != state.sphere_j) continue;
+        PlanarHistory& history = state.history;
+        const double other = 1.0 + 0.1 * state.sphere_i, cap = paper.friction * paper.kn * overlap;
+        // Along z x n, with the normal n from j to i: the lower rod, i of the pairs, stays behind
+        // the upper one along x, and slides on the floor along x; with n along -y and y.
+        const double direction = -1.0;
+        history.known = evaluator.full_count();
+        history.sliding = branch == sliding;
+        history.spring = direction * (branch == stuck ? 1e-7 * other : cap / paper.kt);
+        for (int k = 0; k < slots; ++k)
+          history.velocity[k] =
+              direction * other * (branch == stuck ? 1e-3 : 0.1) * (1.0 + 0.01 * k);
+        history.viscoelastic = paper.kn * overlap * other;
+        state.full_history = true;
+        pool.restore(place, lane, state);
+      }
+  }
+
+  /// Leaves all contacts to the general path.
+  void forget_full_history() {
+    for (PlanarBlockPool* pool : {&blocks.pairs, &blocks.at_walls})
+      for (int place = 0; place < pool->size(); ++place)
+        for (int lane = 0; lane < planar_lanes; ++lane) {
+          if (!(pool->head(place).alive & 1 << lane)) continue;
+          PlanarLaneState state;
+          pool->save(place, lane, state);
+          state.full_history = false;
+          pool->restore(place, lane, state);
+        }
+  }
+
+  void evaluate() {
+    for (int part = 0; part < parts.count(); ++part) evaluator.evaluate(part, 7);
+    blocks.turn(1);
+  }
+
+  std::size_t count() const { return blocks.pairs.contacts() + blocks.at_walls.contacts(); }
+};
+
+/// To 1e-12 of `scale`.
+void expect_near(double a, double b, double scale, const char* what) {
+  EXPECT_NEAR(a, b, 1e-12 * scale) << what;
+}
+
+void expect_same_lanes(const PlanarBlockPool& a, const PlanarBlockPool& b, Branch branch) {
+  ASSERT_EQ(a.size(), b.size());
+  for (int place = 0; place < a.size(); ++place)
+    for (int lane = 0; lane < planar_lanes; ++lane) {
+      PlanarLaneState state, other;
+      a.save(place, lane, state);
+      b.save(place, lane, other);
+      ASSERT_EQ(a.head(place).alive, b.head(place).alive);
+      if (!(a.head(place).alive & 1 << lane)) continue;
+      EXPECT_TRUE(state.full_history && other.full_history);
+      EXPECT_EQ(state.history.sliding, branch == sliding);
+      EXPECT_EQ(other.history.sliding, branch == sliding);
+      EXPECT_EQ(state.history.known, other.history.known);
+      expect_near(state.history.spring, other.history.spring, overlap, "spring");
+      for (int k = 0; k < slots; ++k)
+        expect_near(state.history.velocity[k], other.history.velocity[k], 1.0, "velocity");
+      expect_near(state.history.viscoelastic, other.history.viscoelastic, 0.02, "normal force");
+    }
+}
+
+void expect_same_change(const ForceChange& a, const ForceChange& b, double scale) {
+  const double dt = paper_step;
+  for (int d = 0; d < 3; ++d) {
+    expect_near(a.now[d], b.now[d], scale, "change");
+    expect_near(a.rate[d], b.rate[d], scale / dt, "rate");
+    expect_near(a.impulse[d], b.impulse[d], scale * dt, "impulse");
+    expect_near(a.impulse_integral[d], b.impulse_integral[d], scale * dt * dt, "integral");
+  }
+}
+
+void expect_same(const Contacts& a, const Contacts& b, Branch branch) {
+  for (int body : {0, 1})
+    for (int d = 0; d < 3; ++d)
+      expect_near(a.bodies.state(body, 7).load[d], b.bodies.state(body, 7).load[d],
+                  d < 2 ? 0.1 : 0.1 * diameter, "load");
+  expect_same_lanes(a.blocks.pairs, b.blocks.pairs, branch);
+  expect_same_lanes(a.blocks.at_walls, b.blocks.at_walls, branch);
+  const std::vector<PlanarEvents::Changes>&changes = a.events.changes(0),
+        &others = b.events.changes(0);
+  ASSERT_EQ(changes.size(), others.size());
+  for (const PlanarEvents::Changes& change : changes) {
+    const auto other =
+        std::find_if(others.begin(), others.end(),
+                     [&](const PlanarEvents::Changes& entry) { return entry.body == change.body; });
+    ASSERT_NE(other, others.end());
+    EXPECT_EQ(change.jumps, other->jumps);
+    expect_same_change(change.sum.force, other->sum.force, 0.1);
+    expect_same_change(change.sum.torque, other->sum.torque, 0.1 * diameter);
+  }
+}
+
+}  // namespace
+
+TEST(PlanarForceEvaluator, FastAndGeneralPathAgree) {
+  for (const PlanarInstructions instructions : available_planar_instructions())
+    for (const int order : {1, 2, 3})
+      for (const Branch branch : {stuck, sliding}) {
+        Contacts fast(branch, order, instructions), general(branch, order, instructions);
+        ASSERT_EQ(fast.count(), 18u) << "nine spheres with each other and with the floor";
+        general.forget_full_history();
+        for (Contacts* contacts : {&fast, &general}) contacts->evaluate();
+        EXPECT_EQ(fast.evaluator.general_contacts(), 0);
+        EXPECT_EQ(general.evaluator.general_contacts(), 18);
+        EXPECT_GT(std::fabs(fast.bodies.state(1, 7).load[0]), 1e-4);
+        EXPECT_TRUE(fast.events.changes(0).empty());
+        expect_same(fast, general, branch);
+      }
+}
+
+// The upper rod has jumped in the step before. The shortened path of jumps.cpp does along normal
+// and tangent what the general path does in space.
+TEST(PlanarForceEvaluator, ShortenedPathAfterAJumpAgreesWithTheGeneralOne) {
+  for (const int order : {2, 3})
+    for (const Branch branch : {stuck, sliding}) {
+      Contacts shortened(branch, order, PlanarInstructions::baseline),
+          general(branch, order, PlanarInstructions::baseline);
+      general.forget_full_history();
+      const PlanarKinematics& upper = shortened.bodies.kinematics(1);
+      PlanarJump jump = {
+          {3, -2, 200}, {1e-4, -2e-4, 0.01}, {1e-9, -2e-9, 1e-7}, upper.cosine, upper.sine};
+      for (Contacts* contacts : {&shortened, &general}) {
+        contacts->events.set_jumped(1, jump);
+        contacts->evaluate();
+      }
+      EXPECT_EQ(shortened.evaluator.general_contacts(), 0);
+      EXPECT_EQ(general.evaluator.general_contacts(), 18);
+      ASSERT_EQ(shortened.events.changes(0).size(), 2u) << "the dashpots learn of the jump";
+      EXPECT_FALSE(shortened.events.changes(0)[0].jumps);
+      expect_same(shortened, general, branch);
+    }
+}
+
+}  // namespace rodpack
