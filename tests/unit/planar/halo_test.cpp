@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Ghosts of a rank, and the messages that bring them; ranks_test.cpp has whole scenes on several
 // ranks.
-#include "planar/halo.h"
+#include "planar_ranks/halo.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "heap.h"
 #include "planar/bodies.h"
 #include "planar/events.h"
-#include "planar/ghosts.h"
-#include "planar/halo_messages.h"
+#include "planar_ranks/ghosts.h"
+#include "planar_ranks/halo_messages.h"
 #include "planar/neighbours.h"
 
 namespace rodpack {

@@ -55,7 +55,7 @@ class PlanarForceEvaluator {
   PlanarBlocks& blocks_;
   PlanarEvents& events_;
   const PlanarKernel& kernel_;
-  std::vector<PlanarLawConstants> laws_;  // of each pair of types
+  AlignedVector<PlanarLawConstants> laws_;  // of each pair of types
   AlignedVector<PlanarWallLine> wall_lines_;
   long step_ = 0;  // the step that is evaluated
   long general_contacts_ = 0;

@@ -226,8 +226,7 @@ void PlanarNeighbours::add_blocks(int i, int j) {
   }
 }
 
-void PlanarNeighbours::fill_block(PlanarBlockPool& pool, int place,
-                                  const double (&gammas)[2]) const {
+void PlanarNeighbours::fill_block(PlanarBlockPool& pool, int place, const double (&gammas)[2]) {
   const PlanarBlockHead& head = pool.head(place);
   const PlanarBlockColdData& cold = pool.cold(place);
   const PlanarSphere on_wall = PlanarSphere();

@@ -69,7 +69,7 @@ class PlanarNeighbours {
     double gamma[2];     // dashpots along the normal and the tangent, kg/s
   };
   Coefficients coefficients(int i, int j) const;
-  void fill_block(PlanarBlockPool& pool, int place, const double (&gammas)[2]) const;
+  void fill_block(PlanarBlockPool& pool, int place, const double (&gammas)[2]);
 
   const PlanarSettings& settings_;
   const PlanarBodies& bodies_;

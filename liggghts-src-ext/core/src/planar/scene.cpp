@@ -9,8 +9,8 @@
 #include "bodies.h"
 #include "events.h"
 #include "force_evaluator.h"
-#include "ghosts.h"
-#include "halo.h"
+#include "../planar_ranks/ghosts.h"
+#include "../planar_ranks/halo.h"
 #include "neighbours.h"
 #include "pipeline.h"
 

@@ -27,7 +27,7 @@ class PlanarHalo {
   /// Collective, as renew() and update() are. All that is given has to outlive it.
   /// @param longest_reach  of the bodies of all ranks, m
   PlanarHalo(PlanarRanks& ranks, const PlanarSettings& settings, double longest_reach,
-             const PlanarBodies& bodies, const PlanarEvents& events, PlanarGhosts& ghosts);
+             const PlanarBodies& bodies, PlanarEvents& events, PlanarGhosts& ghosts);
 
   /// Chooses the ghosts, and brings all of them to this step; once before the first update().
   /// Ghosts that have to be listed anew are appended to `to_list`.
@@ -80,7 +80,7 @@ class PlanarHalo {
   PlanarRanks& ranks_;
   const PlanarSettings& settings_;
   const PlanarBodies& bodies_;
-  const PlanarEvents& events_;
+  PlanarEvents& events_;
   PlanarGhosts& ghosts_;
   const double reserve_;   // distance that each body may go before ghosts are chosen anew, m
   const bool is_limited_;  // bodies may not go anywhere

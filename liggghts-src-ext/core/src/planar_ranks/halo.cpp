@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "bodies.h"
-#include "events.h"
+#include "../planar/bodies.h"
+#include "../planar/events.h"
 #include "ghosts.h"
 #include "halo_messages.h"
-#include "pipeline.h"
+#include "../planar/pipeline.h"
 
 namespace rodpack {
 
@@ -57,7 +57,7 @@ Box box_around(const PlanarBodies& bodies) {
 }  // namespace
 
 PlanarHalo::PlanarHalo(PlanarRanks& ranks, const PlanarSettings& settings, double longest_reach,
-                       const PlanarBodies& bodies, const PlanarEvents& events, PlanarGhosts& ghosts)
+                       const PlanarBodies& bodies, PlanarEvents& events, PlanarGhosts& ghosts)
     : ranks_(ranks),
       settings_(settings),
       bodies_(bodies),
@@ -252,7 +252,7 @@ void PlanarHalo::unpack(const Partner& partner, const PlanarLink& link, std::vec
     const int ghost = partner.received[static_cast<int>(*next++)];
     PlanarJump change;
     next = unpack_change(next, change);
-    ghosts_.set_jumped(ghost, change);
+    events_.set_jumped(ghost, change);
   }
 }
 

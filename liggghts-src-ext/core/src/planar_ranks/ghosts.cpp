@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "bodies.h"
-#include "events.h"
-#include "neighbours.h"
+#include "../planar/bodies.h"
+#include "../planar/events.h"
+#include "../planar/neighbours.h"
 
 namespace rodpack {
 
@@ -63,10 +63,6 @@ int PlanarGhosts::new_ghost() {
 void PlanarGhosts::move(int ghost, const PlanarKinematics& frame, std::vector<int>& to_list) {
   bodies_.move_ghost(ghost, frame);
   if (neighbours_.follow_ghost(ghost)) to_list.push_back(ghost);
-}
-
-void PlanarGhosts::set_jumped(int ghost, const PlanarJump& change) {
-  events_.set_jumped(ghost, change);
 }
 
 }  // namespace rodpack

@@ -8,6 +8,10 @@ namespace rodpack {
 namespace {
 
 const int kinematic_values = 7, change_values = 11;
+static_assert(sizeof(PlanarKinematics) == (kinematic_values + 1) * sizeof(double),
+              "a message has all kinematics but the radius");
+static_assert(sizeof(PlanarJump) == change_values * sizeof(double),
+              "a message has all that is known of a jump");
 
 }  // namespace
 

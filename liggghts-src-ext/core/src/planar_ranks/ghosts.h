@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "contact.h"
+#include "../planar/contact.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {
@@ -28,8 +28,6 @@ class PlanarGhosts {
   int of_tag(int tag) const { return of_tag_.at(tag); }
   /// Brings a ghost to the next step; appends it to `to_list` if it has to be listed anew.
   void move(int ghost, const PlanarKinematics& frame, std::vector<int>& to_list);
-  /// The ghost had an event in the last step.
-  void set_jumped(int ghost, const PlanarJump& change);
 
  private:
   void drop_all_but(const std::vector<PlanarBody>& chosen);

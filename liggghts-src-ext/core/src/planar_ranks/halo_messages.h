@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "contact.h"
+#include "../planar/contact.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {
