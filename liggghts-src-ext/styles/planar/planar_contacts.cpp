@@ -235,7 +235,7 @@ int PlanarContacts::local_atom(int tag) const {
   return i;
 }
 
-void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& records) const {
+void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& records) {
   const std::int64_t now = update->ntimestep;
   for (FixWallGran* wall : walls_)
     for (int i = 0; i < atom->nlocal; ++i)
@@ -246,7 +246,7 @@ void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& reco
           .store(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
 }
 
-void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) const {
+void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) {
   using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
   using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
   const std::int64_t now = update->ntimestep;
@@ -279,7 +279,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
   if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
 
-void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) const {
+void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) {
   const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   FixContactHistory* const histories = pair_->list->fix_history;

@@ -36,15 +36,15 @@ class PlanarContacts : protected Pointers {
   std::vector<PlanarContactRecord> read(const PlanarOwners& owners) const;
   /// Replaces the contacts that LIGGGHTS has, in its neighbour lists, which must hold the pairs.
   /// `records`: for each contact those of its atoms that this rank owns, as seen from the atom.
-  void write_to_lists(const std::vector<PlanarContactRecord>& records) const;
+  void write_to_lists(const std::vector<PlanarContactRecord>& records);
   /// The same where histories travel with the atoms until new lists are built; to be called after
   /// pre_exchange() of the fixes.
-  void write_to_atoms(const std::vector<PlanarContactRecord>& records) const;
+  void write_to_atoms(const std::vector<PlanarContactRecord>& records);
 
  private:
   struct Record;
   int local_atom(int tag) const;
-  void write_to_walls(const std::vector<PlanarContactRecord>& records) const;
+  void write_to_walls(const std::vector<PlanarContactRecord>& records);
 
   class PairGran* pair_ = NULL;
   std::vector<class FixWallGran*> walls_;

@@ -6,7 +6,6 @@
 #endif
 
 #include "arguments.h"
-#include "rodpack/planar/scene.h"
 
 #ifdef __x86_64__
 

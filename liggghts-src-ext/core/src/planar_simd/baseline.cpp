@@ -6,7 +6,6 @@
 #endif
 
 #include "arguments.h"
-#include "rodpack/planar/scene.h"
 
 namespace rodpack {
 

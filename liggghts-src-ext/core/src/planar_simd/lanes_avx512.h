@@ -20,7 +20,6 @@ inline LaneMask operator^(LaneMask a, LaneMask b) {
   return {static_cast<__mmask8>(a.bits ^ b.bits)};
 }
 inline LaneMask operator~(LaneMask a) { return {static_cast<__mmask8>(~a.bits)}; }
-inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
 
 inline Lanes load_lanes(const double* values) {
   return *reinterpret_cast<const StoredLanes*>(values);

@@ -13,7 +13,6 @@ struct Lanes {
   Lanes() = default;
   Lanes(HalfLanes l, HalfLanes h) : low(l), high(h) {}
   Lanes(double a, double b, double c, double d) : low{a, b}, high{c, d} {}
-  double operator[](int lane) const { return lane < 2 ? low[lane] : high[lane - 2]; }
 };
 
 struct LaneMask {
@@ -26,20 +25,17 @@ struct LaneMask {
 inline Lanes operator+(Lanes a, Lanes b) { return {a.low + b.low, a.high + b.high}; }
 inline Lanes operator-(Lanes a, Lanes b) { return {a.low - b.low, a.high - b.high}; }
 inline Lanes operator*(Lanes a, Lanes b) { return {a.low * b.low, a.high * b.high}; }
-inline Lanes operator/(Lanes a, Lanes b) { return {a.low / b.low, a.high / b.high}; }
 inline Lanes operator-(Lanes a) { return {-a.low, -a.high}; }
 inline Lanes operator+(double a, Lanes b) { return {a + b.low, a + b.high}; }
 inline Lanes operator-(double a, Lanes b) { return {a - b.low, a - b.high}; }
 inline Lanes operator*(double a, Lanes b) { return {a * b.low, a * b.high}; }
 inline Lanes operator/(double a, Lanes b) { return {a / b.low, a / b.high}; }
-inline Lanes operator*(Lanes a, double b) { return {a.low * b, a.high * b}; }
 inline Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
 
 inline LaneMask operator&(LaneMask a, LaneMask b) { return {a.low & b.low, a.high & b.high}; }
 inline LaneMask operator|(LaneMask a, LaneMask b) { return {a.low | b.low, a.high | b.high}; }
 inline LaneMask operator^(LaneMask a, LaneMask b) { return {a.low ^ b.low, a.high ^ b.high}; }
 inline LaneMask operator~(LaneMask a) { return {~a.low, ~a.high}; }
-inline LaneMask& operator|=(LaneMask& a, LaneMask b) { return a = a | b; }
 
 inline Lanes load_lanes(const double* values) {
   const HalfLanes* halves = reinterpret_cast<const HalfLanes*>(values);

@@ -18,7 +18,7 @@ class PlanarRanks;
 // by Adams-Bashforth steps with the contact law of contact_law.h, at three degrees of freedom per
 // body. SI units throughout.
 
-/// Contact constants of a pair of types, as property/global peratomtypepair has them.
+/// Contact constants of two types.
 struct PlanarLaw {
   double kn, kt;        // stiffness of the contact, N/m, > 0
   double eta_n, eta_t;  // damping ratios, 0 <= eta < 1
