@@ -105,7 +105,7 @@ TEST(PlanarBlocks, VelocitiesAreARingThatTurnsOnceInAStep) {
   PlanarBlockPool pool(2, slots, 0);
   const int place = add_block(pool, {2, 4}, 0, 1);
   for (int step = 1; step <= 10; ++step) {
-    pool.values(place)[pool.velocity(0, true)] = step;
+    pool.mutable_values(place)[pool.velocity(0, true)] = step;
     pool.turn(1);
     for (int k = 0; k < std::min(step, slots); ++k)
       EXPECT_EQ(pool.values(place)[pool.velocity(k)], step - k);
@@ -250,10 +250,10 @@ TEST(PlanarBlocks, NewOnesLieInNoPartBeforeTheirOwn) {
 TEST(PlanarBlocks, SortingTellsWhichPartsWaitForWhich) {
   const PlanarParts parts = {40, 10};
   PlanarBlocks blocks(40, slots);
-  add_block(blocks.pairs, parts, 5, 25);
-  add_block(blocks.pairs, parts, 11, 12);
-  add_block(blocks.at_walls, parts, 35, -1);
-  add_block(blocks.at_walls, parts, 5, -1);  // in a group with that of 35, and evaluated with it
+  add_block(blocks.pairs(), parts, 5, 25);
+  add_block(blocks.pairs(), parts, 11, 12);
+  add_block(blocks.at_walls(), parts, 35, -1);
+  add_block(blocks.at_walls(), parts, 5, -1);  // in a group with that of 35, and evaluated with it
   PlanarDependencies dependencies(parts);
   blocks.sort(parts, dependencies);
   // A group of four blocks is evaluated as one, so that those of 5 and 11 may come with part 2.
@@ -261,11 +261,11 @@ TEST(PlanarBlocks, SortingTellsWhichPartsWaitForWhich) {
   EXPECT_GE(dependencies.completed_by(1), 1);
   EXPECT_GE(dependencies.completed_by(2), 2);
   EXPECT_GE(dependencies.completed_by(3), 3);
-  for (int place = 0; place < blocks.pairs.size(); ++place) {
-    const PlanarBlockHead& head = blocks.pairs.head(place);
+  for (int place = 0; place < blocks.pairs().size(); ++place) {
+    const PlanarBlockHead& head = blocks.pairs().head(place);
     if (head.used == 0) continue;
     for (const int body : {head.i, head.j})
-      EXPECT_GE(dependencies.completed_by(parts.of(body)), blocks.pairs.part_of(place));
+      EXPECT_GE(dependencies.completed_by(parts.of(body)), blocks.pairs().part_of(place));
   }
 }
 

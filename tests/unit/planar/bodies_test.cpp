@@ -9,6 +9,7 @@
 
 #include "heap.h"
 #include "planar/events.h"
+#include "planar/blocks.h"
 #include "planar/neighbours.h"
 
 namespace rodpack {
@@ -133,13 +134,9 @@ PlanarBody with_past(int order) {
 
 /// Makes the step from `step` on, of the only part.
 void advance(PlanarBodies& bodies, PlanarNeighbours& neighbours, long step) {
+  std::vector<int> to_list;
   bodies.prepare(0, step);
-  PlanarAdvance arguments = PlanarAdvance();
-  bodies.set_arguments(0, step, arguments);
-  neighbours.set_arguments(0, arguments);
-  std::vector<int> to_list(bodies.owned());
-  arguments.to_list = to_list.data();
-  planar_kernel(PlanarInstructions::baseline).advance(arguments);
+  bodies.advance(0, step, planar_kernel(PlanarInstructions::baseline), neighbours, 0, to_list);
 }
 
 }  // namespace

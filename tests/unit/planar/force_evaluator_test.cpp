@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "heap.h"
+#include "planar/bodies.h"
+#include "planar/neighbours.h"
 
 namespace rodpack {
 namespace {
@@ -54,7 +56,7 @@ struct Contacts {
     events.resize(2);
     neighbours.set_longest_reach(bodies.longest_reach());
     neighbours.list_all();
-    for (PlanarBlockPool* pool : {&blocks.pairs, &blocks.at_walls}) fill(*pool, branch);
+    for (PlanarBlockPool* pool : {&blocks.pairs(), &blocks.at_walls()}) fill(*pool, branch);
     blocks.sort(parts, dependencies);
     bodies.begin_loads();
   }
@@ -86,7 +88,7 @@ struct Contacts {
 
   /// Leaves all contacts to the general path.
   void forget_full_history() {
-    for (PlanarBlockPool* pool : {&blocks.pairs, &blocks.at_walls})
+    for (PlanarBlockPool* pool : {&blocks.pairs(), &blocks.at_walls()})
       for (int place = 0; place < pool->size(); ++place)
         for (int lane = 0; lane < planar_lanes; ++lane) {
           if (!(pool->head(place).alive & 1 << lane)) continue;
@@ -102,7 +104,7 @@ struct Contacts {
     blocks.turn(1);
   }
 
-  std::size_t count() const { return blocks.pairs.contacts() + blocks.at_walls.contacts(); }
+  std::size_t count() const { return blocks.pairs().contacts() + blocks.at_walls().contacts(); }
 };
 
 /// To 1e-12 of `scale`.
@@ -145,8 +147,8 @@ void expect_same(const Contacts& a, const Contacts& b, Branch branch) {
     for (int d = 0; d < 3; ++d)
       expect_near(a.bodies.state(body, 7).load[d], b.bodies.state(body, 7).load[d],
                   d < 2 ? 0.1 : 0.1 * diameter, "load");
-  expect_same_lanes(a.blocks.pairs, b.blocks.pairs, branch);
-  expect_same_lanes(a.blocks.at_walls, b.blocks.at_walls, branch);
+  expect_same_lanes(a.blocks.pairs(), b.blocks.pairs(), branch);
+  expect_same_lanes(a.blocks.at_walls(), b.blocks.at_walls(), branch);
   const std::vector<PlanarEvents::Changes>&changes = a.events.changes(0),
         &others = b.events.changes(0);
   ASSERT_EQ(changes.size(), others.size());

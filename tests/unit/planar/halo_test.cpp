@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "heap.h"
+#include "planar/blocks.h"
 #include "planar/bodies.h"
 #include "planar/events.h"
 #include "planar_ranks/ghosts.h"

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "heap.h"
+#include "planar/blocks.h"
+#include "planar/bodies.h"
 
 namespace rodpack {
 namespace {
@@ -50,11 +52,11 @@ struct Scene {
   /// Bodies and spheres of all lanes that are in use.
   std::set<std::vector<int>> listed() const {
     std::set<std::vector<int>> all;
-    for (int place = 0; place < blocks.pairs.size(); ++place)
+    for (int place = 0; place < blocks.pairs().size(); ++place)
       for (int lane = 0; lane < planar_lanes; ++lane) {
-        if (!(blocks.pairs.head(place).used & 1 << lane)) continue;
+        if (!(blocks.pairs().head(place).used & 1 << lane)) continue;
         PlanarLaneState state;
-        blocks.pairs.save(place, lane, state);
+        blocks.pairs().save(place, lane, state);
         EXPECT_TRUE(all.insert({state.i, state.sphere_i, state.j, state.sphere_j}).second);
       }
     return all;
@@ -98,7 +100,7 @@ TEST(PlanarNeighbours, AllSpheresWithinTheSkinsOfTheirBodiesAreListed) {
 TEST(PlanarNeighbours, ABlockKnowsItsSmallestGap) {
   Scene scene(settings_of(), cloud(120));
   scene.neighbours.list_all();
-  const PlanarBlockPool& pairs = scene.blocks.pairs;
+  const PlanarBlockPool& pairs = scene.blocks.pairs();
   for (int place = 0; place < pairs.size(); ++place) {
     const PlanarBlockHead& head = pairs.head(place);
     if (head.used == 0) continue;
@@ -143,13 +145,13 @@ TEST(PlanarNeighbours, ContactsKeepTheirHistoryWhenABodyIsListedAnew) {
   std::vector<int> all;
   for (int b = 0; b < 60; ++b) all.push_back(b);
   scene.neighbours.list_anew(all);
-  EXPECT_EQ(scene.blocks.pairs.contacts(), contacts.size());
+  EXPECT_EQ(scene.blocks.pairs().contacts(), contacts.size());
   for (const PlanarLaneState& contact : contacts) {
     const std::pair<int, int> at =
-        scene.blocks.pairs.find(contact.i, contact.sphere_i, contact.j, contact.sphere_j);
+        scene.blocks.pairs().find(contact.i, contact.sphere_i, contact.j, contact.sphere_j);
     ASSERT_GE(at.first, 0);
     PlanarLaneState kept;
-    scene.blocks.pairs.save(at.first, at.second, kept);
+    scene.blocks.pairs().save(at.first, at.second, kept);
     EXPECT_EQ(kept.history.spring, contact.history.spring);
     EXPECT_EQ(kept.history.velocity[2], contact.history.velocity[2]);
     EXPECT_EQ(kept.history.sliding, contact.history.sliding);
@@ -172,9 +174,9 @@ TEST(PlanarNeighbours, WallsHaveBlocksOfTheirOwn) {
   Scene scene(settings, {rod(1, 0.5 * diameter + 9e-5, 0.5 * diameter, 0),
                          rod(1, 0.5, 0.5 * diameter + 1.1e-4, 0)});
   scene.neighbours.list_all();
-  const PlanarBlockPool& at_walls = scene.blocks.at_walls;
+  const PlanarBlockPool& at_walls = scene.blocks.at_walls();
   EXPECT_EQ(at_walls.filled(), 2);
-  EXPECT_EQ(scene.blocks.pairs.filled(), 0);
+  EXPECT_EQ(scene.blocks.pairs().filled(), 0);
   EXPECT_GE(at_walls.find(0, 0, -1, 0).first, 0);
   EXPECT_GE(at_walls.find(0, 0, -2, 0).first, 0);
   EXPECT_EQ(at_walls.find(0, 0, -3, 0).first, -1);
@@ -199,9 +201,9 @@ TEST(PlanarNeighbours, BlocksHaveTheDashpotsOfTheirBodies) {
     EXPECT_NEAR(gammas[0], normal, 1e-14 * normal);
     EXPECT_NEAR(gammas[1], tangential, 1e-14 * tangential);
   };
-  expect_gammas(scene.blocks.pairs, 0, 1, 0.75e-6);
-  expect_gammas(scene.blocks.at_walls, 0, -1, 1e-6);
-  expect_gammas(scene.blocks.at_walls, 1, -1, 3e-6);
+  expect_gammas(scene.blocks.pairs(), 0, 1, 0.75e-6);
+  expect_gammas(scene.blocks.at_walls(), 0, -1, 1e-6);
+  expect_gammas(scene.blocks.at_walls(), 1, -1, 3e-6);
 }
 
 // A disc at 1 m/s and with a skin of 0.3 mm: the bound on how far it has moved may be the root of 2
@@ -248,7 +250,7 @@ TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   scene.neighbours.add_ghost(1);
   EXPECT_FALSE(scene.neighbours.follow_ghost(1)) << "there are no lists yet";
   scene.neighbours.list_all();
-  EXPECT_GT(scene.blocks.pairs.filled(), 0);
+  EXPECT_GT(scene.blocks.pairs().filled(), 0);
   PlanarKinematics frame = scene.bodies.kinematics(1);
   frame.x = 0.016 - 0.97e-3 / std::sqrt(2.0);
   scene.bodies.move_ghost(1, frame);
@@ -260,7 +262,7 @@ TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   scene.neighbours.list_anew({1});
   EXPECT_FALSE(scene.neighbours.follow_ghost(1));
   scene.neighbours.remove_ghost(1);
-  EXPECT_EQ(scene.blocks.pairs.filled(), 0);
+  EXPECT_EQ(scene.blocks.pairs().filled(), 0);
 }
 
 // Two ghosts are the affair of the ranks that own them.

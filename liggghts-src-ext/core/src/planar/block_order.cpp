@@ -63,7 +63,7 @@ void PlanarBlockPool::reorder(const std::vector<int>& order) {
     laws_[k] = work_.laws[order[k]];
     cold_[k] = work_.cold[order[k]];
     const double* const from = &work_.values[values_place(order[k])];
-    double* const to = values(k);
+    double* const to = mutable_values(k);
     for (int row = 0; row < rows(); ++row)
       std::copy_n(from + row * planar_row, planar_lanes, to + row * planar_row);
     of_body_[heads_[k].i].push_back(k);
@@ -104,7 +104,7 @@ int PlanarBlockPool::part_of(int place) const {
 }
 
 void PlanarBlocks::sort(const PlanarParts& parts, PlanarDependencies& dependencies) {
-  for (PlanarBlockPool* pool : {&pairs, &at_walls}) {
+  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) {
     pool->sort(parts);
     for (int place = 0; place < pool->size(); ++place) {
       const PlanarBlockHead& head = pool->head(place);

@@ -5,8 +5,6 @@
 #include <bitset>
 #include <limits>
 
-#include "../planar_simd/arguments.h"
-
 namespace rodpack {
 
 PlanarBlockPool::PlanarBlockPool(int bodies, int remembered, int hole_j)
@@ -84,7 +82,7 @@ void PlanarBlockPool::resize_blocks(int filled, int blocks) {
 
 void PlanarBlockPool::make_hole(int place) {
   heads_[place] = hole_;
-  double* const of_place = values(place);
+  double* const of_place = mutable_values(place);
   std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
   for (int row : {planar_yi, planar_xj, planar_yj}) std::fill_n(of_place + row, planar_lanes, 0.0);
   if (place < sorted_)
@@ -103,57 +101,23 @@ void PlanarBlockPool::forget(int body, int place) {
   }
 }
 
-void PlanarBlockPool::set_arguments(int part, PlanarForces& forces) {
-  forces.heads = heads_.data();
-  forces.values = all_values_.data();
-  forces.block_laws = laws_.data();
-  forces.touching = touching(part);
-  forces.others = others(part);
-  forces.rows = rows();
-  forces.newest = velocity(0, true);
-  for (int k = 0; k < std::min(slots_, max_multistep_order); ++k) forces.velocity[k] = velocity(k);
+void PlanarBlocks::resize(int bodies) {
+  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->resize(bodies);
 }
 
-void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
-  const PlanarBlockHead& head = heads_[place];
-  const double* const of_lane = values(place) + lane;
-  const PlanarBlockColdData& cold = cold_[place];
-  const int bit = 1 << lane;
-  state.i = head.i;
-  state.j = head.j;
-  state.sphere_i = cold.sphere_i[lane];
-  state.sphere_j = cold.sphere_j[lane];
-  state.full_history = (head.full_history & bit) != 0;
-  PlanarHistory& history = state.history;
-  history.sliding = (head.sliding & bit) != 0;
-  history.just_touched = cold.just_touched[lane];
-  history.known = cold.known[lane];
-  history.spring = of_lane[planar_spring];
-  for (int k = 0; k < max_multistep_order; ++k)
-    history.velocity[k] = k < slots_ ? of_lane[velocity(k)] : 0.0;
-  history.viscoelastic = of_lane[planar_viscoelastic];
-  history.touch_rate = cold.touch_rate[lane];
-  history.since = cold.since[lane];
+void PlanarBlocks::take_out(int body, std::vector<PlanarLaneState>& contacts) {
+  for (const PlanarBlockPool* pool : {&pairs_, &at_walls_})
+    for (const int place : pool->of_body(body))
+      for (int lane = 0; lane < planar_lanes; ++lane)
+        if (pool->head(place).alive & 1 << lane) {
+          contacts.push_back(PlanarLaneState());
+          pool->save(place, lane, contacts.back());
+        }
+  remove_all_of(body);
 }
 
-void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state, bool turned) {
-  PlanarBlockHead& head = heads_[place];
-  double* const of_lane = values(place) + lane;
-  PlanarBlockColdData& cold = cold_[place];
-  const auto set = [&](std::uint8_t& bits, bool on) {
-    bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
-  };
-  const PlanarHistory& history = state.history;
-  set(head.alive, history.known != 0);
-  set(head.full_history, state.full_history);
-  set(head.sliding, history.sliding);
-  cold.just_touched[lane] = history.just_touched;
-  cold.known[lane] = static_cast<std::int8_t>(history.known);
-  cold.touch_rate[lane] = history.touch_rate;
-  cold.since[lane] = history.since;
-  of_lane[planar_spring] = history.spring;
-  for (int k = 0; k < slots_; ++k) of_lane[velocity(k, turned)] = history.velocity[k];
-  of_lane[planar_viscoelastic] = history.viscoelastic;
+void PlanarBlocks::remove_all_of(int body) {
+  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->remove_all_of(body);
 }
 
 bool PlanarBlocks::restore(const PlanarLaneState& contact) {
@@ -166,11 +130,11 @@ bool PlanarBlocks::restore(const PlanarLaneState& contact) {
 }
 
 void PlanarBlocks::turn(int steps) {
-  for (PlanarBlockPool* pool : {&pairs, &at_walls}) pool->turn(steps);
+  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->turn(steps);
 }
 
 void PlanarBlocks::look_ahead(int steps) {
-  for (PlanarBlockPool* pool : {&pairs, &at_walls}) pool->look_ahead(steps);
+  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->look_ahead(steps);
 }
 
 }  // namespace rodpack

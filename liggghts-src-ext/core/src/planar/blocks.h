@@ -9,13 +9,14 @@
 
 #include "../planar_simd/aligned_vector.h"
 #include "../planar_simd/block_layout.h"
+#include "lane_state.h"
 #include "parts.h"
-#include "rodpack/contact/planar_history.h"
 
 namespace rodpack {
 
 class PlanarDependencies;
 struct PlanarForces;
+struct PlanarSphere;
 
 /// What the SIMD loops never read of a block: which spheres it pairs, and what a contact remembers
 /// of its first steps.
@@ -24,15 +25,6 @@ struct PlanarBlockColdData {
   std::uint16_t sphere_i[planar_lanes], sphere_j[planar_lanes];
   std::int8_t known[planar_lanes];
   bool just_touched[planar_lanes];
-};
-
-/// State of the contact of a lane, apart from where it lies: bodies and spheres as in
-/// PlanarContactState, its history, and whether that is full.
-struct PlanarLaneState {
-  int i, j;
-  std::uint16_t sphere_i, sphere_j;
-  bool full_history;
-  PlanarHistory history;
 };
 
 /// Blocks in groups, and an index of the blocks of each body. Places that no block has are holes,
@@ -98,8 +90,13 @@ class PlanarBlockPool {
   int law(int place) const { return laws_[place]; }
   const PlanarBlockColdData& cold(int place) const { return cold_[place]; }
   /// The numbers of a block, from that of the first lane of the first row.
-  double* values(int place) { return all_values_.data() + values_place(place); }
   const double* values(int place) const { return all_values_.data() + values_place(place); }
+  /// The same for who brings the contact of a lane to the present step.
+  double* mutable_values(int place) { return all_values_.data() + values_place(place); }
+  /// Sets where the spheres that a block pairs lie in the frames of their bodies, among all spheres
+  /// of body i and of body j, and the dashpots of their contacts.
+  void set_spheres(int place, const PlanarSphere* of_i, const PlanarSphere* of_j,
+                   const double (&gammas)[2]);
 
   /// Copies the state of the contact of a lane.
   void save(int place, int lane, PlanarLaneState& state) const;
@@ -152,18 +149,35 @@ class PlanarBlockPool {
 };
 
 /// All blocks of a scene: between two bodies, and between a body and a wall.
-struct PlanarBlocks {
-  PlanarBlockPool pairs, at_walls;
+class PlanarBlocks {
+ public:
+  PlanarBlocks(int bodies, int slots) : pairs_(bodies, slots, 0), at_walls_(bodies, slots, -1) {}
 
-  PlanarBlocks(int bodies, int slots) : pairs(bodies, slots, 0), at_walls(bodies, slots, -1) {}
+  const PlanarBlockPool& pairs() const { return pairs_; }
+  const PlanarBlockPool& at_walls() const { return at_walls_; }
+  /// For who evaluates the contacts.
+  PlanarBlockPool& pairs() { return pairs_; }
+  PlanarBlockPool& at_walls() { return at_walls_; }
   /// Those whose second body is j.
-  PlanarBlockPool& of(int j) { return j < 0 ? at_walls : pairs; }
+  PlanarBlockPool& of(int j) { return j < 0 ? at_walls_ : pairs_; }
+
+  int slots() const { return pairs_.slots(); }
+  /// The number of blocks.
+  int filled() const { return pairs_.filled() + at_walls_.filled(); }
+  /// Makes room for so many bodies.
+  void resize(int bodies);
+  /// Removes the blocks of a body, and appends the contacts in them to `contacts`.
+  void take_out(int body, std::vector<PlanarLaneState>& contacts);
+  void remove_all_of(int body);
   /// Puts a contact into the lane of its spheres; false: they are no candidates.
   bool restore(const PlanarLaneState& contact);
   /// Sorts all blocks, and enters what each part has to wait for.
   void sort(const PlanarParts& parts, PlanarDependencies& dependencies);
   void turn(int steps);
   void look_ahead(int steps);
+
+ private:
+  PlanarBlockPool pairs_, at_walls_;
 };
 
 }  // namespace rodpack

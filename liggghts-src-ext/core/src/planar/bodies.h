@@ -14,6 +14,7 @@
 namespace rodpack {
 
 class PlanarEvents;
+class PlanarNeighbours;
 
 /// What is constant about a body.
 struct PlanarBodyInfo {
@@ -53,16 +54,25 @@ class PlanarBodies {
 
   /// Makes the motion that events have found to be missing, and a past for bodies that have none.
   void prepare(int part, long step);
-  /// Sets what the SIMD loop needs to advance the part from `step`.
-  void set_arguments(int part, long step, PlanarAdvance& arguments);
+  /// Advances the part from `step`. Sets `to_list` to the bodies that have left their skins, or are
+  /// about to do so in `steps_ahead` further steps.
+  void advance(int part, long step, const PlanarKernel& kernel, PlanarNeighbours& neighbours,
+               int steps_ahead, std::vector<int>& to_list);
   /// Corrects the past of bodies whose contacts had events in the step before `step`, and keeps the
   /// motion that they have missed.
   void apply_events(int part, long step, PlanarEvents& events);
   /// Sets the loads to the weights of the bodies.
   void begin_loads();
 
-  const PlanarKinematics* kinematics_array() const { return kinematics_.data(); }
-  PlanarVector* load_array() { return loads_.data(); }
+  /// Sets what the SIMD loop needs of the bodies to add the forces of contacts to their loads.
+  void set_arguments(PlanarForces& arguments);
+  /// Adds a force, N, and a torque about the centre of mass, N m, to the load on a body.
+  void add_load(int body, Vector2<double> force, double torque) {
+    double* const load = loads_[body].d;
+    load[0] += force.x;
+    load[1] += force.y;
+    load[2] += torque;
+  }
 
   // Ghosts, with the indices from owned() on.
 
@@ -80,6 +90,7 @@ class PlanarBodies {
   void add(int body, const PlanarBody& from);
   void set_info(int body, const PlanarBody& from);
   void make_missed_motion(int body);
+  PlanarAdvance arguments(int part, long step);
   void fill_past(int body, long step);
   /// Index into past_velocity and past_acceleration, ring buffers, of the rates k + 1 steps back.
   int past(int k, long step) const {

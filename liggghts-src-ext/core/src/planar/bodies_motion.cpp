@@ -5,6 +5,7 @@
 
 #include "bodies.h"
 #include "events.h"
+#include "neighbours.h"
 
 namespace rodpack {
 
@@ -39,7 +40,18 @@ void PlanarBodies::prepare(int part, long step) {
   newborn_[part].clear();
 }
 
-void PlanarBodies::set_arguments(int part, long step, PlanarAdvance& arguments) {
+void PlanarBodies::advance(int part, long step, const PlanarKernel& kernel,
+                           PlanarNeighbours& neighbours, int steps_ahead,
+                           std::vector<int>& to_list) {
+  PlanarAdvance of_part = arguments(part, step);
+  neighbours.set_arguments(steps_ahead, of_part);
+  to_list.resize(of_part.bodies.end - of_part.bodies.first);
+  of_part.to_list = to_list.data();
+  to_list.resize(kernel.advance(of_part));
+}
+
+PlanarAdvance PlanarBodies::arguments(int part, long step) {
+  PlanarAdvance arguments = PlanarAdvance();
   const int order = settings_.order;
   arguments.bodies = parts_.bodies(part);
   arguments.order = order;
@@ -59,6 +71,12 @@ void PlanarBodies::set_arguments(int part, long step, PlanarAdvance& arguments) 
     const MultistepWeights& of_force = multistep_weights(order, known);
     std::copy(of_force.begin(), of_force.end(), arguments.force_weights[known]);
   }
+  return arguments;
+}
+
+void PlanarBodies::set_arguments(PlanarForces& arguments) {
+  arguments.kinematics = kinematics_.data();
+  arguments.loads = loads_.data();
 }
 
 void PlanarBodies::begin_loads() {

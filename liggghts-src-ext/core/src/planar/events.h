@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "rodpack/contact/event_correction.h"
-#include "blocks.h"
 #include "contact.h"
+#include "parts.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies.h"
 #include "force_evaluator.h"
+#include "neighbours.h"
 #include "rodpack/contact/normal_history.h"
 #include "rodpack/contact/tangential_history.h"
 
@@ -14,7 +16,7 @@ PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const Pl
                                            const PlanarNeighbours& neighbours, PlanarBlocks& blocks,
                                            PlanarEvents& of_contacts)
     : settings_(given),
-      slots_(blocks.pairs.slots()),
+      slots_(blocks.slots()),
       follows_(given.events && given.order > 1),
       bodies_(of_bodies),
       neighbours_(neighbours),
@@ -30,16 +32,15 @@ PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const Pl
 
 void PlanarForceEvaluator::evaluate(int part, long step) {
   step_ = step;
-  evaluate_general(blocks_.pairs, kernel_.pairs(arguments(blocks_.pairs, part)));
-  evaluate_general(blocks_.at_walls, kernel_.walls(arguments(blocks_.at_walls, part)));
+  evaluate_general(blocks_.pairs(), kernel_.pairs(arguments(blocks_.pairs(), part)));
+  evaluate_general(blocks_.at_walls(), kernel_.walls(arguments(blocks_.at_walls(), part)));
 }
 
 PlanarForces PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
   PlanarForces forces = PlanarForces();
   pool.set_arguments(part, forces);
-  forces.kinematics = bodies_.kinematics_array();
+  bodies_.set_arguments(forces);
   forces.moved = neighbours_.moved();
-  forces.loads = bodies_.load_array();
   forces.jumped = events_.jumped();
   forces.laws = laws_.data();
   forces.one_law = laws_.size() == 1;
@@ -62,6 +63,18 @@ void PlanarForceEvaluator::evaluate_general(PlanarBlockPool& pool, int entries) 
   for (int k = 0; k < entries; ++k)
     for (int lane = 0; lane < planar_lanes; ++lane)
       if (work_.general[k].lanes & 1 << lane) evaluate_lane(pool, work_.general[k].place, lane);
+}
+
+std::vector<PlanarContactState> PlanarForceEvaluator::contacts() const {
+  const PlanarBlocks& blocks = blocks_;
+  std::vector<PlanarContactState> result;
+  result.reserve(blocks.pairs().contacts() + blocks.at_walls().contacts());
+  for (const PlanarBlockPool* pool : {&blocks.pairs(), &blocks.at_walls()})
+    for (int place = 0; place < pool->size(); ++place)
+      for (int lane = 0; lane < planar_lanes; ++lane)
+        if (pool->head(place).alive & 1 << lane)
+          result.push_back(contact_state(*pool, place, lane));
+  return result;
 }
 
 PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& pool, int place,
@@ -114,16 +127,9 @@ void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
                                  const double (&tangential)[3]) {
   const Vector2<double> force = {normal * contact.en[0] + tangential[0],
                                  normal * contact.en[1] + tangential[1]};
-  PlanarVector* const loads = bodies_.load_array();
-  double* load = loads[contact.body_i].d;
-  load[0] += force.x;
-  load[1] += force.y;
-  load[2] += cross_z(contact.lever_i(), force);
+  bodies_.add_load(contact.body_i, force, cross_z(contact.lever_i(), force));
   if (contact.is_wall) return;
-  load = loads[contact.body_j].d;
-  load[0] -= force.x;
-  load[1] -= force.y;
-  load[2] -= cross_z(contact.lever_j(), force);
+  bodies_.add_load(contact.body_j, {-force.x, -force.y}, -cross_z(contact.lever_j(), force));
 }
 
 void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {

@@ -6,14 +6,15 @@
 
 #include "../planar_simd/aligned_vector.h"
 #include "blocks.h"
-#include "bodies.h"
 #include "contact.h"
 #include "events.h"
 #include "../planar_simd/arguments.h"
-#include "neighbours.h"
 #include "rodpack/contact/tangential_history.h"
 
 namespace rodpack {
+
+class PlanarBodies;
+class PlanarNeighbours;
 
 /// Evaluates the contact forces of one part of the bodies at a time: adds them to the loads of the
 /// bodies, brings the contact histories to the present step, and reports the contacts' events. Most
@@ -28,8 +29,8 @@ class PlanarForceEvaluator {
 
   /// Evaluates the contacts that part `part` completes, at the positions of step `step`.
   void evaluate(int part, long step);
-  /// The contact of a lane as the caller of a scene knows it.
-  PlanarContactState contact_state(const PlanarBlockPool& pool, int place, int lane) const;
+  /// All contacts, as the caller of a scene knows them.
+  std::vector<PlanarContactState> contacts() const;
   /// Evaluations after which a contact is past its start-up, and all that events may look at is
   /// known.
   int full_count() const { return slots_ + 1; }
@@ -43,6 +44,7 @@ class PlanarForceEvaluator {
   void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
   bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
+  PlanarContactState contact_state(const PlanarBlockPool& pool, int place, int lane) const;
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
   TangentialStep tangential_step() const { return {settings_.order, step_, settings_.dt}; }

@@ -43,7 +43,7 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   const double tangent[3] = {-contact.en[1], contact.en[0], 0.0};
   const ContactJumpComponent normal = component(jump, contact.en),
                              tangential = component(jump, tangent);
-  double* const values = pool.values(place) + lane;
+  double* const values = pool.mutable_values(place) + lane;
   const PlanarLawConstants& law = laws_[pool.law(place)];
 
   const double dt = settings_.dt;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "blocks.h"
+#include "bodies.h"
 #include "rodpack/contact/contact_law.h"
 
 namespace rodpack {
@@ -36,7 +38,7 @@ void PlanarNeighbours::resize(int bodies) {
   std::fill_n(nobody.skin, body_lanes, std::numeric_limits<double>::infinity());
   reference_lanes_.resize(registers, nobody);
   moved_.resize(registers * body_lanes);
-  for (PlanarBlockPool* pool : {&blocks_.pairs, &blocks_.at_walls}) pool->resize(bodies);
+  blocks_.resize(bodies);
 }
 
 /// Makes the present position of the body its reference position, and sets its skin.
@@ -105,7 +107,7 @@ void PlanarNeighbours::add_ghost(int ghost) {
 }
 
 void PlanarNeighbours::remove_ghost(int ghost) {
-  blocks_.pairs.remove_all_of(ghost);
+  blocks_.remove_all_of(ghost);
   if (exist_) grid_.remove(ghost);
 }
 
@@ -146,15 +148,7 @@ void PlanarNeighbours::list(int body) {
   ++listings_;
   std::vector<PlanarLaneState>& contacts = work_.contacts;
   contacts.clear();
-  for (PlanarBlockPool* pool : {&blocks_.pairs, &blocks_.at_walls}) {
-    for (const int place : pool->of_body(body))
-      for (int lane = 0; lane < planar_lanes; ++lane)
-        if (pool->head(place).alive & 1 << lane) {
-          contacts.push_back(PlanarLaneState());
-          pool->save(place, lane, contacts.back());
-        }
-    pool->remove_all_of(body);
-  }
+  blocks_.take_out(body, contacts);
   list_near(body, bodies_.size());
   for (const PlanarLaneState& contact : contacts) blocks_.restore(contact);
 }
@@ -204,6 +198,7 @@ void PlanarNeighbours::add_blocks(int i, int j) {
   if (candidates.empty()) return;
   sort_candidates(candidates);
   const Coefficients of_both = coefficients(i, j);
+  const PlanarSphere on_wall = PlanarSphere();
   PlanarBlockPool& pool = blocks_.of(j);
   const int count = static_cast<int>(candidates.size());
   for (int first = 0; first < count; first += planar_lanes) {
@@ -222,24 +217,8 @@ void PlanarNeighbours::add_blocks(int i, int j) {
     }
     const int place = pool.add(parts_.of_pair(i, j), head, of_both.law, cold);
     dependencies_.add_contact(i, j, pool.part_of(place));
-    fill_block(pool, place, of_both.gamma);
-  }
-}
-
-void PlanarNeighbours::fill_block(PlanarBlockPool& pool, int place, const double (&gammas)[2]) {
-  const PlanarBlockHead& head = pool.head(place);
-  const PlanarBlockColdData& cold = pool.cold(place);
-  const PlanarSphere on_wall = PlanarSphere();
-  const PlanarSphere* const of_i = bodies_.spheres(head.i);
-  const PlanarSphere* const of_j = head.j < 0 ? &on_wall : bodies_.spheres(head.j);
-  double* const values = pool.values(place);
-  std::copy_n(gammas, 2, values + planar_gammas);
-  for (int lane = 0; lane < planar_lanes; ++lane) {
-    const PlanarSphere &a = of_i[cold.sphere_i[lane]], &b = of_j[cold.sphere_j[lane]];
-    values[planar_xi + lane] = a.x;
-    values[planar_yi + lane] = a.y;
-    values[planar_xj + lane] = b.x;
-    values[planar_yj + lane] = b.y;
+    pool.set_spheres(place, bodies_.spheres(i), j < 0 ? &on_wall : bodies_.spheres(j),
+                     of_both.gamma);
   }
 }
 

@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "../planar_simd/aligned_vector.h"
-#include "bodies.h"
-#include "blocks.h"
 #include "candidates.h"
 #include "../planar_simd/arguments.h"
 #include "grid.h"
+#include "lane_state.h"
 #include "pipeline.h"
 
 namespace rodpack {
+
+class PlanarBlocks;
+class PlanarBodies;
 
 /// Neighbour lists of single bodies. A body is listed anew when a point of it has moved by its skin
 /// since it was listed last, at its reference position. Two spheres are candidates for a contact if
@@ -69,7 +71,6 @@ class PlanarNeighbours {
     double gamma[2];     // dashpots along the normal and the tangent, kg/s
   };
   Coefficients coefficients(int i, int j) const;
-  void fill_block(PlanarBlockPool& pool, int place, const double (&gammas)[2]);
 
   const PlanarSettings& settings_;
   const PlanarBodies& bodies_;

@@ -212,12 +212,7 @@ bool PlanarScene::Data::move(int step, int part) {
     return false;
   }
   bodies.prepare(part, steps + step);
-  PlanarAdvance arguments = PlanarAdvance();
-  bodies.set_arguments(part, steps + step, arguments);
-  neighbours.set_arguments(steps_of_pass_ - 1 - step, arguments);
-  to_list.resize(arguments.bodies.end - arguments.bodies.first);
-  arguments.to_list = to_list.data();
-  to_list.resize(kernel.advance(arguments));
+  bodies.advance(part, steps + step, kernel, neighbours, steps_of_pass_ - 1 - step, to_list);
   return !to_list.empty();
 }
 
@@ -238,7 +233,7 @@ PlanarScene::Statistics PlanarScene::Data::statistics() const {
           forces.general_contacts(),
           halo ? halo->ghosts_brought() : 0,
           halo ? halo->bytes_sent() : 0,
-          blocks.pairs.filled() + blocks.at_walls.filled()};
+          blocks.filled()};
 }
 
 PlanarScene::PlanarScene(const PlanarSettings& settings, const std::vector<PlanarBody>& bodies,
@@ -275,19 +270,7 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
   d.sort_blocks();
 }
 
-std::vector<PlanarContactState> PlanarScene::contacts() const {
-  std::size_t count = 0;
-  for (const PlanarBlockPool* pool : {&data_->blocks.pairs, &data_->blocks.at_walls})
-    count += pool->contacts();
-  std::vector<PlanarContactState> result;
-  result.reserve(count);
-  for (const PlanarBlockPool* pool : {&data_->blocks.pairs, &data_->blocks.at_walls})
-    for (int place = 0; place < pool->size(); ++place)
-      for (int lane = 0; lane < planar_lanes; ++lane)
-        if (pool->head(place).alive & 1 << lane)
-          result.push_back(data_->forces.contact_state(*pool, place, lane));
-  return result;
-}
+std::vector<PlanarContactState> PlanarScene::contacts() const { return data_->forces.contacts(); }
 
 int PlanarScene::size() const { return data_->bodies.owned(); }
 
