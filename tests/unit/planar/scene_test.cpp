@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "heap.h"
+#include "plain_scene.h"
 #include "rodpack/contact/contact_law.h"
-#include "rodpack/motion/multistep.h"
 
 namespace rodpack {
 namespace {
@@ -181,164 +181,27 @@ TEST(PlanarScene, AnAngleBeyondAllNumbersEnds) {
   EXPECT_EQ(scene.run(3), 3);
 }
 
-// The same law, without events, written down once more: all spheres against all, body by body, with
-// the integrator and the law of the core for single bodies.
 TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
   for (const int order : {1, 2, 3, 4}) {
     PlanarSettings settings = box(5);
     settings.order = order;
     settings.events = false;
     const std::vector<PlanarBody> start = heap(9, 5);
-    const int steps = 4000, bodies = static_cast<int>(start.size());
-
-    struct History {
-      double spring;
-      std::vector<double> velocities;  // newest first
-      int known, step;
-    };
-    std::map<std::array<int, 4>, History> histories;
-    std::vector<PlanarMotion> motions;
-    std::vector<std::vector<PlanarRates>> past(bodies, std::vector<PlanarRates>(order));
-    std::vector<std::array<double, 3>> loads(bodies);
-    for (const PlanarBody& body : start) {
-      const double angle = std::atan2(body.sine, body.cosine);
-      motions.push_back({{body.position[0], body.position[1]},
-                         {body.velocity[0], body.velocity[1]},
-                         body.velocity[2],
-                         {std::cos(0.5 * angle), 0, 0, std::sin(0.5 * angle)}});
-    }
-    const auto arm = [&](int b, int s) {
-      const double* q = motions[b].quaternion;
-      const double c = q[0] * q[0] - q[3] * q[3], n = 2 * q[0] * q[3];
-      const PlanarSphere& sphere = start[b].spheres[s];
-      return std::array<double, 2>{c * sphere.x - n * sphere.y, n * sphere.x + c * sphere.y};
-    };
-    // normal from j to i, lever of i and j from their centres of mass to the contact
-    const auto contact = [&](std::array<int, 4> key, int step, const double* normal, double overlap,
-                             std::array<double, 2> lever_i, std::array<double, 2> lever_j,
-                             double mass, double touch_since) {
-      const int i = key[0], j = key[2];
-      double v[2];
-      const auto surface = [&](int b, const std::array<double, 2>& lever, double sign) {
-        v[0] += sign * (motions[b].velocity[0] - motions[b].angular_velocity * lever[1]);
-        v[1] += sign * (motions[b].velocity[1] + motions[b].angular_velocity * lever[0]);
-      };
-      v[0] = v[1] = 0;
-      surface(i, lever_i, 1);
-      if (j >= 0) surface(j, lever_j, -1);
-      const double tangent[2] = {-normal[1], normal[0]};
-      const double vn = v[0] * normal[0] + v[1] * normal[1];
-      const double vt = v[0] * tangent[0] + v[1] * tangent[1];
-      const auto fn =
-          normal_force(paper.kn, damping_coefficient(paper.eta_n, mass, paper.kn), overlap, vn);
-      History& history = histories[key];
-      if (history.velocities.empty() || history.step != step - 1) {
-        history = {std::isnan(touch_since) ? 0.0 : touch_since, {}, 0, step};
-        if (vn < 0) history.spring = std::min(paper_step, -overlap / vn) * vt;
-        if (j >= 0) history.spring = touch_since;
-      } else {
-        const auto& weights = multistep_weights(order, std::min(history.known, order + 1));
-        for (int k = 0; k < std::min<int>(order, history.velocities.size()); ++k)
-          history.spring += paper_step * weights[k] * history.velocities[k];
-      }
-      history.step = step;
-      ++history.known;
-      history.velocities.insert(history.velocities.begin(), vt);
-      history.velocities.resize(std::min<std::size_t>(history.velocities.size(), order));
-      double spring[1] = {history.spring}, velocity[1] = {vt}, ft[1];
-      tangential_force(paper.kt, damping_coefficient(paper.eta_t, mass, paper.kt),
-                       paper.friction * fn.elastic, spring, velocity, ft);
-      history.spring = spring[0];
-      const double f[2] = {fn.total * normal[0] + ft[0] * tangent[0],
-                           fn.total * normal[1] + ft[0] * tangent[1]};
-      const auto add = [&](int b, const std::array<double, 2>& lever, double sign) {
-        loads[b][0] += sign * f[0];
-        loads[b][1] += sign * f[1];
-        loads[b][2] += sign * (lever[0] * f[1] - lever[1] * f[0]);
-      };
-      add(i, lever_i, 1);
-      if (j >= 0) add(j, lever_j, -1);
-    };
-    const auto forces = [&](int step) {
-      for (int b = 0; b < bodies; ++b) loads[b] = {0, -9.81 * start[b].mass, 0};
-      const double r = 0.5 * diameter;
-      for (int i = 0; i < bodies; ++i)
-        for (int a = 0; a < 9; ++a) {
-          const auto arm_i = arm(i, a);
-          const double x[2] = {motions[i].position[0] + arm_i[0],
-                               motions[i].position[1] + arm_i[1]};
-          for (int w = 0; w < 3; ++w) {
-            const PlanarWall& wall = settings.walls[w];
-            const double distance = x[wall.axis] - wall.position, overlap = r - std::fabs(distance);
-            if (overlap < 0) continue;
-            double normal[2] = {0, 0};
-            normal[wall.axis] = distance > 0 ? 1 : -1;
-            const double length = r - 0.5 * overlap;
-            contact({i, a, -1 - w, 0}, step, normal, overlap,
-                    {arm_i[0] - length * normal[0], arm_i[1] - length * normal[1]}, {},
-                    start[i].mass, NAN);
-          }
-          for (int j = i + 1; j < bodies; ++j)
-            for (int b = 0; b < 9; ++b) {
-              const auto arm_j = arm(j, b);
-              double delta[2], distance;
-              for (int d = 0; d < 2; ++d) delta[d] = x[d] - motions[j].position[d] - arm_j[d];
-              distance = std::hypot(delta[0], delta[1]);
-              const double overlap = 2 * r - distance;
-              if (overlap <= 0) continue;
-              const double normal[2] = {delta[0] / distance, delta[1] / distance};
-              const double length = r - 0.5 * overlap;
-              // The spring since touch: mean of the tangential velocities then and now, with
-              // constant velocities of the centres and spins, over the time since.
-              double u[2];
-              const double wi = motions[i].angular_velocity, wj = motions[j].angular_velocity;
-              u[0] =
-                  motions[i].velocity[0] - wi * arm_i[1] - motions[j].velocity[0] + wj * arm_j[1];
-              u[1] =
-                  motions[i].velocity[1] + wi * arm_i[0] - motions[j].velocity[1] - wj * arm_j[0];
-              const double approach = delta[0] * u[0] + delta[1] * u[1];
-              const double square = u[0] * u[0] + u[1] * u[1];
-              const double closed = 4 * r * r - distance * distance;
-              const double since =
-                  std::min(paper_step,
-                           (approach + std::sqrt(approach * approach + square * closed)) / square);
-              const double n0[2] = {(delta[0] - since * u[0]), (delta[1] - since * u[1])};
-              const double l0 = std::hypot(n0[0], n0[1]);
-              const double then = (u[1] * n0[0] - u[0] * n0[1]) / l0 - r * (wi + wj);
-              const double now = u[1] * normal[0] - u[0] * normal[1] - length * (wi + wj);
-              contact({i, a, j, b}, step, normal, overlap,
-                      {arm_i[0] - length * normal[0], arm_i[1] - length * normal[1]},
-                      {arm_j[0] + length * normal[0], arm_j[1] + length * normal[1]},
-                      0.5 * start[i].mass, 0.5 * since * (then + now));
-            }
-        }
-    };
-    forces(0);
-    int touched = 0;
-    for (int step = 1; step <= steps; ++step) {
-      for (int b = 0; b < bodies; ++b) {
-        std::rotate(past[b].begin(), past[b].begin() + 1, past[b].end());
-        past[b].back() = {{motions[b].velocity[0], motions[b].velocity[1]},
-                          motions[b].angular_velocity,
-                          {loads[b][0] / start[b].mass, loads[b][1] / start[b].mass},
-                          loads[b][2] / start[b].moment};
-        if (step == 1) fill_kinematic_history(past[b].data(), order, paper_step);
-        advance(motions[b], past[b].data(), order, std::min(step, order + 1), paper_step);
-      }
-      forces(step);
-      touched = static_cast<int>(histories.size());
-    }
-    ASSERT_GT(touched, 12);
+    const int steps = 4000;
+    PlainScene plain(settings, start);
+    plain.run(steps);
+    ASSERT_GT(plain.touched(), 12u);
     PlanarScene scene(settings, start);
     scene.evaluate();
     scene.run(steps);
-    for (int b = 0; b < bodies; ++b) {
+    for (int b = 0; b < scene.size(); ++b) {
       const PlanarBody body = scene.body(b);
+      const PlanarMotion& expected = plain.motion(b);
       for (int d = 0; d < 2; ++d) {
-        EXPECT_NEAR(body.position[d], motions[b].position[d], 1e-11) << order << ' ' << b;
-        EXPECT_NEAR(body.velocity[d], motions[b].velocity[d], 1e-9) << order << ' ' << b;
+        EXPECT_NEAR(body.position[d], expected.position[d], 1e-11) << order << ' ' << b;
+        EXPECT_NEAR(body.velocity[d], expected.velocity[d], 1e-9) << order << ' ' << b;
       }
-      EXPECT_NEAR(body.velocity[2], motions[b].angular_velocity, 1e-6) << order << ' ' << b;
+      EXPECT_NEAR(body.velocity[2], expected.angular_velocity, 1e-6) << order << ' ' << b;
     }
   }
 }
