@@ -13,7 +13,7 @@ namespace {
 // Sorting key of the first block that does not touch.
 const std::uint64_t apart = std::uint64_t{1} << 63;
 
-/// Touching blocks first, each kind in the order in which their bodies have both moved.
+/// Puts touching blocks first, each kind in the order in which their bodies have both moved.
 std::uint64_t sorting_key(const PlanarBlockHead& head) {
   const std::uint64_t later = std::max(head.i, head.j);
   const std::uint32_t earlier = std::min(head.i, head.j);

@@ -22,7 +22,8 @@ void PlanarBodies::make_missed_motion(int body) {
   displacement = velocity = PlanarVector();
 }
 
-/// As fill_kinematic_history() in rigid_motion.h.
+/// Gives a body that has not moved yet the past of constant acceleration that
+/// fill_kinematic_history() in rigid_motion.h derives.
 void PlanarBodies::fill_past(int body, long step) {
   for (int k = 0; k < settings_.order - 1; ++k) {
     past_acceleration_[past(k, step)][body] = PlanarVector();

@@ -29,7 +29,7 @@ struct PlanarContact {
 
   Vector2<double> normal() const { return {en[0], en[1]}; }
   double tangential_velocity() const { return cross_z<double>(normal(), {vtr1, vtr2}); }
-  /// Levers from the centres of mass to the contact.
+  /// The lever from the centre of mass of each body to the contact.
   Vector2<double> lever_i() const {
     return lever_in_plane<double>({arm_i[0], arm_i[1]}, cri, normal());
   }

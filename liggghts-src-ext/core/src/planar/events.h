@@ -52,7 +52,7 @@ class PlanarEvents {
     return true;
   }
 
-  /// For each body; null: none of them has.
+  /// Whether each body jumped in the last step; null if none of them did.
   const char* jumped() const { return jumps_ == 0 ? nullptr : jumped_.data(); }
   bool jumped(int body) const { return jumped_[body] != 0; }
   const PlanarJump& motion(int body) const { return motions_[body]; }
@@ -64,7 +64,7 @@ class PlanarEvents {
     jumped_[body] = 1;
     motions_[body] = motion;
   }
-  /// Of the bodies of a part, before the jumps of a new step are set.
+  /// Forgets the jumps of the bodies of a part, before those of a new step are set.
   void forget_jumps(int part) {
     std::vector<int>& bodies = jumped_bodies_[part];
     for (int body : bodies) jumped_[body] = 0;
@@ -72,7 +72,7 @@ class PlanarEvents {
     bodies.clear();
   }
 
-  /// Of the bodies of a part.
+  /// The sums of the changes of forces over the bodies of a part that had some in this step.
   const std::vector<Changes>& changes(int part) const { return changes_[part]; }
   void forget_changes(int part) {
     for (const Changes& change : changes_[part]) place_[change.body] = -1;

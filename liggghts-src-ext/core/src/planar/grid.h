@@ -12,9 +12,9 @@ class PlanarGrid {
  public:
   /// Places bodies at (x, y), m, in cells that are at least `cell` wide, m.
   void build(const std::vector<double>& x, const std::vector<double>& y, double cell);
-  /// A body has moved to (x, y).
+  /// Follows a body that has moved to (x, y).
   void move(int body, double x, double y);
-  /// A body that was not in the grid; indices may be higher than those of build().
+  /// Adds a body that was not in the grid; its index may be higher than those of build().
   void add(int body, double x, double y);
   void remove(int body);
   /// Calls visit(other) for all bodies of the cell of (x, y) and of the eight around it.

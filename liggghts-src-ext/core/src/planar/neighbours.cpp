@@ -111,7 +111,7 @@ void PlanarNeighbours::remove_ghost(int ghost) {
   if (exist_) grid_.remove(ghost);
 }
 
-/// The SIMD loop that advances the bodies of this rank does the same with them.
+/// Bounds the motion as the SIMD loop does that advances the bodies of this rank.
 bool PlanarNeighbours::follow_ghost(int ghost) {
   const PlanarKinematics& frame = bodies_.kinematics(ghost);
   const PlanarReference& at = references_[ghost];

@@ -15,10 +15,10 @@ namespace rodpack {
 
 /// Position, orientation and velocity of a body: what its ghosts need in every step.
 double* pack_kinematics(const PlanarKinematics& frame, double* to);
-/// Leaves the radius as it is.
+/// Sets all but the radius, which a message does not tell.
 const double* unpack_kinematics(const double* from, PlanarKinematics& frame);
 
-/// What an event did to a body.
+/// What an event did to a body, if it let the acceleration jump.
 double* pack_change(const PlanarJump& change, double* to);
 const double* unpack_change(const double* from, PlanarJump& change);
 

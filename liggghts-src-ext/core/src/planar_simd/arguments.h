@@ -16,7 +16,7 @@ namespace rodpack {
 // compiled for one set of processor instructions each, and a member function or template that they
 // compiled with it could take the place of everybody's.
 
-/// Components along x, along y and about z of a vector, and one that is unused: one register.
+/// A vector with components along x, along y and about z; the fourth, unused, fills the register.
 struct alignas(32) PlanarVector {
   double d[4];
 };

@@ -13,20 +13,20 @@ inline Lanes load_lanes(const double* values) {
 inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<StoredLanes*>(values) = x; }
 inline Lanes all_lanes(double x) { return Lanes{x, x, x, x}; }
 inline Lanes lane_sqrt(Lanes x) { return (Lanes)_mm256_sqrt_pd((__m256d)x); }
-/// The root and its inverse.
+/// Sets the square root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
   root = lane_sqrt(square);
   inverse = 1.0 / root;
 }
 inline LaneMask lane_less(Lanes a, Lanes b) { return a < b; }
-/// a where the mask is true, b elsewhere.
+/// Takes a where the mask is true, b elsewhere.
 inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
   return (Lanes)_mm256_blendv_pd((__m256d)b, (__m256d)a, (__m256d)mask);
 }
 inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
   return (mask & a) | (~mask & b);
 }
-/// Bit k: lane k is true.
+/// Bit k tells whether lane k is true.
 inline int lane_bits(LaneMask mask) { return _mm256_movemask_pd((__m256d)mask); }
 inline LaneMask lanes_of_bits(int bits) {
   static const LaneMask masks[16] = {
@@ -37,7 +37,7 @@ inline LaneMask lanes_of_bits(int bits) {
   return masks[bits];
 }
 
-/// Makes rows of columns.
+/// Exchanges rows and columns.
 inline void transpose_lanes(Lanes (&rows)[4]) {
   const __m256d a = (__m256d)rows[0], b = (__m256d)rows[1];
   const __m256d c = (__m256d)rows[2], d = (__m256d)rows[3];
@@ -49,8 +49,8 @@ inline void transpose_lanes(Lanes (&rows)[4]) {
   rows[3] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x31);
 }
 
-/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
-/// block.
+/// Loads two numbers of each block b, those at of[b] + index and after it: each fills all lanes of
+/// its block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
   const __m256d both = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(of[0] + index)),

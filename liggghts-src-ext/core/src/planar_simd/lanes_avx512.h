@@ -6,7 +6,7 @@ constexpr int lane_blocks = 4;  // blocks that are evaluated at a time
 typedef double Lanes __attribute__((vector_size(64)));
 typedef double StoredLanes __attribute__((vector_size(64), may_alias));  // what lies in memory
 
-/// Bit k: lane k.
+/// Bit k tells whether lane k is true.
 struct LaneMask {
   __mmask8 bits;
 };
@@ -26,7 +26,7 @@ inline Lanes load_lanes(const double* values) {
 }
 inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<StoredLanes*>(values) = x; }
 inline Lanes all_lanes(double x) { return (Lanes)_mm512_set1_pd(x); }
-/// The root and its inverse.
+/// Sets the square root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
   root = (Lanes)_mm512_sqrt_pd((__m512d)square);
   inverse = 1.0 / root;
@@ -34,7 +34,7 @@ inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
 inline LaneMask lane_less(Lanes a, Lanes b) {
   return {_mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_LT_OQ)};
 }
-/// a where the mask is true, b elsewhere.
+/// Takes a where the mask is true, b elsewhere.
 inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
   return (Lanes)_mm512_mask_blend_pd(mask.bits, (__m512d)b, (__m512d)a);
 }
@@ -44,8 +44,8 @@ inline LaneMask lane_choice(LaneMask mask, LaneMask a, LaneMask b) {
 inline int lane_bits(LaneMask mask) { return mask.bits; }
 inline LaneMask lanes_of_bits(int bits) { return {static_cast<__mmask8>(bits)}; }
 
-/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
-/// block.
+/// Loads two numbers of each block b, those at of[b] + index and after it: each fills all lanes of
+/// its block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
   __m512d both = _mm512_broadcast_f64x2(_mm_load_pd(of[0] + index));

@@ -54,7 +54,7 @@ inline HalfLanes half_sqrt(HalfLanes x) {
 #endif
 }
 inline Lanes lane_sqrt(Lanes x) { return {half_sqrt(x.low), half_sqrt(x.high)}; }
-/// The root and its inverse.
+/// Sets the square root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
   root = lane_sqrt(square);
   inverse = 1.0 / root;
@@ -67,7 +67,7 @@ inline Lanes lane_choice(LaneMask mask, Lanes a, Lanes b) {
   return {(HalfLanes)((mask.low & (HalfMask)a.low) | (~mask.low & (HalfMask)b.low)),
           (HalfLanes)((mask.high & (HalfMask)a.high) | (~mask.high & (HalfMask)b.high))};
 }
-/// Bit k: lane k is true.
+/// Bit k tells whether lane k is true.
 inline int lane_bits(LaneMask mask) {
 #ifdef __SSE2__
   return _mm_movemask_pd((__m128d)mask.low) | _mm_movemask_pd((__m128d)mask.high) << 2;
@@ -82,7 +82,7 @@ inline LaneMask lanes_of_bits(int bits) {
           -static_cast<long long>(bits >> 2 & 1), -static_cast<long long>(bits >> 3 & 1)};
 }
 
-/// Makes rows of columns.
+/// Exchanges rows and columns.
 inline void transpose_lanes(Lanes (&rows)[4]) {
   const Lanes a = rows[0], b = rows[1], c = rows[2], d = rows[3];
   rows[0] = {a.low[0], b.low[0], c.low[0], d.low[0]};
@@ -91,8 +91,8 @@ inline void transpose_lanes(Lanes (&rows)[4]) {
   rows[3] = {a.high[1], b.high[1], c.high[1], d.high[1]};
 }
 
-/// Values of the blocks at of[b] + index and after it, the first (second) in all lanes of its
-/// block.
+/// Loads two numbers of each block b, those at of[b] + index and after it: each fills all lanes of
+/// its block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,
                      Lanes& second) {
   first = {of[0][index], of[0][index], of[1][index], of[1][index]};

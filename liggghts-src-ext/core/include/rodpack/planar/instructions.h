@@ -11,13 +11,14 @@ namespace rodpack {
 /// this processor has.
 enum class PlanarInstructions { automatic, baseline, avx2, avx512 };
 
-/// "auto", "baseline", "avx2" or "avx512".
+/// The name of a set: "auto", "baseline", "avx2" or "avx512".
 const char* name_of(PlanarInstructions instructions);
-/// @throws std::invalid_argument for any other name, or a set that the processor does not have.
+/// The set of that name. @throws std::invalid_argument for any other name, or a set that the
+/// processor does not have.
 PlanarInstructions planar_instructions(const std::string& name);
 /// The set itself, or the best that this processor has.
 PlanarInstructions chosen(PlanarInstructions instructions);
-/// Those that this processor has, best last.
+/// The sets that this processor has, the best one last.
 std::vector<PlanarInstructions> available_planar_instructions();
 
 }  // namespace rodpack

@@ -26,10 +26,10 @@ class PlanarRanks {
   virtual std::vector<double> gather(const std::vector<double>& own) = 0;
   /// Puts the largest over the ranks in the place of each value.
   virtual void largest(double* values, int count) = 0;
-  /// Sends to[r] to rank r; from[r] becomes what came from it. For what happens seldom.
+  /// Sends to[r] to rank r; from[r] becomes what came from it. This is for what happens seldom.
   virtual void exchange(const std::vector<std::vector<double>>& to,
                         std::vector<std::vector<double>>& from) = 0;
-  /// Sends and receives what the links say, between ranks that both know of their link. For every
+  /// Sends and receives what the links say, between ranks that both know of their link; in every
   /// step.
   virtual void swap(std::vector<PlanarLink>& links) = 0;
 };
