@@ -67,9 +67,9 @@ void FixMultisphereAB::read_jump(const std::vector<int>& atoms, PlanarBody& plan
   if (!of_sphere) return;
   const rodpack::PlanarSphere& sphere = planar.spheres[0];
   const double to_centre[3] = {-sphere.x, -sphere.y, 0.0};
-  planar.change = rodpack::to_plane(rodpack::jump_at(*of_sphere, to_centre));
-  planar.change.cosine = planar.cosine;
-  planar.change.sine = planar.sine;
+  planar.jump = rodpack::to_plane(rodpack::jump_at(*of_sphere, to_centre));
+  planar.jump.cosine = planar.cosine;
+  planar.jump.sine = planar.sine;
 }
 
 /// To be called before from_planar() is for the bodies of this rank.
@@ -106,7 +106,7 @@ void FixMultisphereAB::from_planar(int body, const std::vector<int>& atoms,
 
 void FixMultisphereAB::publish_jump(int body, const std::vector<int>& atoms,
                                     const PlanarBody& planar) {
-  const rodpack::SpatialJump jump = rodpack::to_space(planar.change);
+  const rodpack::SpatialJump jump = rodpack::to_space(planar.jump);
   for (int i : atoms) {
     double arm[3];
     MathExtra::matvec(ex_(body), ey_(body), ez_(body), displace_[i], arm);

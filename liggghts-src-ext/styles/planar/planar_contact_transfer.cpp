@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "planar_contacts.h"
+#include "planar_contact_transfer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +100,7 @@ bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
 
 }  // namespace
 
-void PlanarContacts::connect() {
+void PlanarContactTransfer::connect() {
   pair_ = static_cast<PairGran*>(force->pair_match("gran", 1));
   if (!pair_ || pair_ != force->pair)
     refuse(lmp, std::string("pair_style gran is needed, not in a hybrid, with ") + needed_models);
@@ -131,7 +131,7 @@ void PlanarContacts::connect() {
   }
 }
 
-std::vector<rodpack::PlanarLaw> PlanarContacts::laws() const {
+std::vector<rodpack::PlanarLaw> PlanarContactTransfer::laws() const {
   const int types = atom->ntypes;
   const char* const names[] = {"kn", "kt", "dampingRatioNormal", "dampingRatioTangential",
                                "coefficientFriction"};
@@ -148,7 +148,7 @@ std::vector<rodpack::PlanarLaw> PlanarContacts::laws() const {
   return laws;
 }
 
-std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
+std::vector<rodpack::PlanarWall> PlanarContactTransfer::walls() const {
   std::vector<rodpack::PlanarWall> planes;
   for (FixWallGran* wall : walls_) {
     rodpack::PlanarWall plane;
@@ -160,7 +160,7 @@ std::vector<rodpack::PlanarWall> PlanarContacts::walls() const {
 }
 
 /// What LIGGGHTS keeps of a contact.
-struct PlanarContacts::Record {
+struct PlanarContactTransfer::Record {
   NormalHistory normal;
   TangentialHistory tangential;
 
@@ -183,7 +183,7 @@ struct PlanarContacts::Record {
   }
 };
 
-std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners) const {
+std::vector<PlanarContactRecord> PlanarContactTransfer::read(const PlanarOwners& owners) const {
   const std::int64_t now = update->ntimestep;
   std::vector<std::vector<PlanarContactRecord> > contacts(comm->nprocs);
   const auto send = [&](const PlanarContactRecord& contact, int atom_index) {
@@ -227,7 +227,7 @@ std::vector<PlanarContactRecord> PlanarContacts::read(const PlanarOwners& owners
   return exchange_records(world, std::move(contacts));
 }
 
-int PlanarContacts::local_atom(int tag) const {
+int PlanarContactTransfer::local_atom(int tag) const {
   const int i = atom->map(tag);
   if (i < 0 || i >= atom->nlocal || atom->tag[i] != tag)
     refuse_from_one_rank(lmp, "a contact of atom " + std::to_string(tag) +
@@ -235,7 +235,7 @@ int PlanarContacts::local_atom(int tag) const {
   return i;
 }
 
-void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& records) {
+void PlanarContactTransfer::write_to_walls(const std::vector<PlanarContactRecord>& records) {
   const std::int64_t now = update->ntimestep;
   for (FixWallGran* wall : walls_)
     for (int i = 0; i < atom->nlocal; ++i)
@@ -246,7 +246,7 @@ void PlanarContacts::write_to_walls(const std::vector<PlanarContactRecord>& reco
           .store(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
 }
 
-void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& records) {
+void PlanarContactTransfer::write_to_lists(const std::vector<PlanarContactRecord>& records) {
   using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
   using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
   const std::int64_t now = update->ntimestep;
@@ -279,7 +279,7 @@ void PlanarContacts::write_to_lists(const std::vector<PlanarContactRecord>& reco
   if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
 
-void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& records) {
+void PlanarContactTransfer::write_to_atoms(const std::vector<PlanarContactRecord>& records) {
   const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   FixContactHistory* const histories = pair_->list->fix_history;
@@ -297,9 +297,9 @@ void PlanarContacts::write_to_atoms(const std::vector<PlanarContactRecord>& reco
   comm->maxexchange_fix = std::max(comm->maxexchange_fix, (values_ + 1) * most + 1);
   for (const PlanarContactRecord& contact : records) {
     if (contact.partner < 0) continue;
-    const int i = local_atom(contact.atom), place = HistoryAccess::count(histories, i)++;
-    HistoryAccess::partners(histories, i)[place] = contact.partner;
-    Record(contact, slots_, now).store(histories->contacthistory(i, place));
+    const int i = local_atom(contact.atom), entry = HistoryAccess::count(histories, i)++;
+    HistoryAccess::partners(histories, i)[entry] = contact.partner;
+    Record(contact, slots_, now).store(histories->contacthistory(i, entry));
   }
 }
 

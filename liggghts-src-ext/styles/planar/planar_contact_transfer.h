@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef LMP_PLANAR_CONTACTS_H
-#define LMP_PLANAR_CONTACTS_H
+#ifndef LMP_PLANAR_CONTACT_TRANSFER_H
+#define LMP_PLANAR_CONTACT_TRANSFER_H
 
 #include <vector>
 #include "planar_owners.h"
@@ -19,15 +19,15 @@ struct PlanarContactRecord {
 /// Carries the contacts of pair_style gran and of primitive walls, with their histories, from
 /// LIGGGHTS to the planar engine and back. There must be no periodic boundaries, so that an atom
 /// has one image on a rank.
-class PlanarContacts : protected Pointers {
+class PlanarContactTransfer : protected Pointers {
  public:
-  explicit PlanarContacts(class LAMMPS* lmp) : Pointers(lmp) {}
+  explicit PlanarContactTransfer(class LAMMPS* lmp) : Pointers(lmp) {}
 
   /// Finds the pair style and the walls; stops the run if one of them is of a kind that the engine
   /// does not know.
   void connect();
   /// Number of tangential velocities that the history of a contact holds.
-  int remembered() const { return slots_; }
+  int slots() const { return slots_; }
   /// Contact constants of each pair of atom types (row by row), and the walls.
   std::vector<rodpack::PlanarLaw> laws() const;
   std::vector<rodpack::PlanarWall> walls() const;

@@ -13,7 +13,7 @@ IntegrateStyle(verlet/planar,RunPlanar)
 #include <memory>
 #include <vector>
 #include "mpi_ranks.h"
-#include "planar_contacts.h"
+#include "planar_contact_transfer.h"
 #include "planar_owners.h"
 #include "rodpack/planar/instructions.h"
 #include "verlet.h"
@@ -61,7 +61,7 @@ class RunPlanar : public Verlet {
   rodpack::PlanarInstructions instructions_ = rodpack::PlanarInstructions::automatic;
   class FixMultisphereAB* bodies_ = NULL;
   class FixGravity* gravity_ = NULL;
-  PlanarContacts contacts_;
+  PlanarContactTransfer contacts_;
   PlanarOwners owners_;
   std::vector<int> order_;                // bodies of this rank in the order of the scene
   std::vector<std::vector<int> > atoms_;  // of each of them by their tags, ghosts among them

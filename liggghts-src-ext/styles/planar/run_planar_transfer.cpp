@@ -84,7 +84,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   rodpack::PlanarSettings settings;
   settings.dt = update->dt;
   settings.order = bodies_->order();
-  settings.remembered = contacts_.remembered();
+  settings.slots = contacts_.slots();
   settings.events = bodies_->follows_events();
   settings.types = atom->ntypes;
   settings.laws = contacts_.laws();

@@ -101,12 +101,12 @@ TEST(PlanarBlocks, ALaneIsRestoredToWhatWasSaved) {
 
 // The velocity of the step that is evaluated overwrites the oldest one, and is the newest after the
 // turn.
-TEST(PlanarBlocks, VelocitiesAreARingThatTurnsOnceInAStep) {
+TEST(PlanarBlocks, VelocitiesAreARingThatAgesOnceInAStep) {
   PlanarBlockPool pool(2, slots, 0);
   const int place = add_block(pool, {2, 4}, 0, 1);
   for (int step = 1; step <= 10; ++step) {
     pool.mutable_values(place)[pool.velocity(0, true)] = step;
-    pool.turn(1);
+    pool.age(1);
     for (int k = 0; k < std::min(step, slots); ++k)
       EXPECT_EQ(pool.values(place)[pool.velocity(k)], step - k);
   }
@@ -118,22 +118,22 @@ TEST(PlanarBlocks, RestoresForTheStepThatIsEvaluated) {
   const int place = add_block(pool, {2, 4}, 0, 1);
   for (int step = 0; step < 5; ++step) {
     pool.restore(place, 0, state_of(step), true);
-    pool.turn(1);
+    pool.age(1);
     expect_same_history(saved(pool, place, 0), state_of(step));
   }
 }
 
-TEST(PlanarBlocks, LookingAheadIsTurningOfOneBlockAlone) {
-  PlanarBlockPool ahead(2, slots, 0), turned(2, slots, 0);
+TEST(PlanarBlocks, LookingAheadIsAgeingForOnePartAlone) {
+  PlanarBlockPool ahead(2, slots, 0), aged(2, slots, 0);
   for (int steps = 0; steps < 8; ++steps) {
     ahead.look_ahead(steps);
     for (int k = 0; k < slots; ++k)
       for (const bool next : {false, true})
-        EXPECT_EQ(ahead.velocity(k, next), turned.velocity(k, next));
-    turned.turn(1);
+        EXPECT_EQ(ahead.velocity(k, next), aged.velocity(k, next));
+    aged.age(1);
   }
-  ahead.turn(8);
-  EXPECT_EQ(ahead.velocity(0), turned.velocity(0));
+  ahead.age(8);
+  EXPECT_EQ(ahead.velocity(0), aged.velocity(0));
 }
 
 TEST(PlanarBlocks, FindsTheLaneOfTwoSpheres) {

@@ -15,8 +15,8 @@
 namespace rodpack {
 namespace {
 
-PlanarBodies bodies_of(const PlanarSettings& settings, const std::vector<PlanarBody>& all) {
-  return PlanarBodies(settings, PlanarParts{static_cast<int>(all.size()), 4}, all);
+PlanarBodyStates bodies_of(const PlanarSettings& settings, const std::vector<PlanarBody>& all) {
+  return PlanarBodyStates(settings, PlanarParts{static_cast<int>(all.size()), 4}, all);
 }
 
 void expect_same_rates(const PlanarRates& a, const PlanarRates& b, double tolerance) {
@@ -30,7 +30,7 @@ void expect_same_rates(const PlanarRates& a, const PlanarRates& b, double tolera
 
 }  // namespace
 
-TEST(PlanarBodies, TellWhatTheyWereGiven) {
+TEST(PlanarBodyStates, TellWhatTheyWereGiven) {
   PlanarSettings settings = settings_of();
   PlanarBody body = moving(rod(5, 0.1, 0.2, 0.3), 1.0, 2.0, 3.0);
   body.tag = 17;
@@ -42,7 +42,7 @@ TEST(PlanarBodies, TellWhatTheyWereGiven) {
   }
   body.past[0] = {{1.0, 2.0}, 3.0, {4.0, 5.0}, 6.0};
   body.past[1] = {{-1.0, -2.0}, -3.0, {-4.0, -5.0}, -6.0};
-  const PlanarBodies bodies = bodies_of(settings, {rod(2, 0, 0, 0), body});
+  const PlanarBodyStates bodies = bodies_of(settings, {rod(2, 0, 0, 0), body});
   EXPECT_EQ(bodies.tag(0), 0) << "its index, where none is given";
   const PlanarBody told = bodies.state(1, 0);
   EXPECT_EQ(told.tag, 17);
@@ -65,9 +65,9 @@ TEST(PlanarBodies, TellWhatTheyWereGiven) {
 
 // The end of a straight chain of length L = AR d, turning at w about its centre that moves at v:
 // |v| + |w| L/2 in a second, at most.
-TEST(PlanarBodies, StepDisplacementIsThatOfTheEndOfARod) {
+TEST(PlanarBodyStates, StepDisplacementIsThatOfTheEndOfARod) {
   PlanarSettings settings = settings_of();
-  const PlanarBodies bodies = bodies_of(settings, {moving(rod(5, 0, 0, 1), 0.3, -0.4, -20)});
+  const PlanarBodyStates bodies = bodies_of(settings, {moving(rod(5, 0, 0, 1), 0.3, -0.4, -20)});
   const double reach = 2.5 * diameter;
   EXPECT_NEAR(bodies.info(0).reach, reach, 1e-14 * reach);
   EXPECT_NEAR(bodies.longest_reach(), reach, 1e-14 * reach);
@@ -75,23 +75,23 @@ TEST(PlanarBodies, StepDisplacementIsThatOfTheEndOfARod) {
 }
 
 // Missed motion is made at the beginning of the next step: a displacement turns the rod too.
-TEST(PlanarBodies, MissedMotionIsMadeOnce) {
+TEST(PlanarBodyStates, MissedMotionIsMadeOnce) {
   PlanarSettings settings = settings_of();
   PlanarBody body = moving(rod(5, 0.1, 0.2, 0.3), 1.0, 2.0, 3.0);
   body.evaluations = 4;
   const double displacement[3] = {1e-6, -2e-6, 0.01}, velocity[3] = {0.1, 0.2, -0.5};
   std::copy_n(displacement, 3, body.missed_displacement);
   std::copy_n(velocity, 3, body.missed_velocity);
-  PlanarBodies bodies = bodies_of(settings, {body});
+  PlanarBodyStates bodies = bodies_of(settings, {body});
   for (int times = 0; times < 2; ++times) {
     bodies.prepare(0, 0);
-    const PlanarKinematics& frame = bodies.kinematics(0);
-    EXPECT_NEAR(frame.x, 0.1 + 1e-6, 1e-16);
-    EXPECT_NEAR(frame.y, 0.2 - 2e-6, 1e-16);
-    EXPECT_NEAR(frame.cosine, std::cos(0.31), 1e-15);
-    EXPECT_NEAR(frame.sine, std::sin(0.31), 1e-15);
+    const PlanarKinematics& kinematics = bodies.kinematics(0);
+    EXPECT_NEAR(kinematics.x, 0.1 + 1e-6, 1e-16);
+    EXPECT_NEAR(kinematics.y, 0.2 - 2e-6, 1e-16);
+    EXPECT_NEAR(kinematics.cosine, std::cos(0.31), 1e-15);
+    EXPECT_NEAR(kinematics.sine, std::sin(0.31), 1e-15);
     for (int d = 0; d < 3; ++d)
-      EXPECT_NEAR(frame.velocity[d], body.velocity[d] + velocity[d], 1e-15);
+      EXPECT_NEAR(kinematics.velocity[d], body.velocity[d] + velocity[d], 1e-15);
     for (int d = 0; d < 3; ++d) {
       EXPECT_EQ(bodies.state(0, 0).missed_displacement[d], 0.0);
       EXPECT_EQ(bodies.state(0, 0).missed_velocity[d], 0.0);
@@ -102,12 +102,12 @@ TEST(PlanarBodies, MissedMotionIsMadeOnce) {
 // Before its first step a body is taken to have moved under its load at birth, held constant:
 // v(-k dt) = v - k dt F/m; forces before birth are 0, as the start-up of the multistep formula
 // wants it (rigid_motion.h).
-TEST(PlanarBodies, TheNewbornGetAPastOfConstantAcceleration) {
+TEST(PlanarBodyStates, TheNewbornGetAPastOfConstantAcceleration) {
   PlanarSettings settings = settings_of();
   PlanarBody body = moving(rod(5, 0, 0, 0), 1.0, 2.0, 3.0);
   const double load[3] = {1e-3, -2e-3, 1e-7};
   std::copy_n(load, 3, body.load);
-  PlanarBodies bodies = bodies_of(settings, {body});
+  PlanarBodyStates bodies = bodies_of(settings, {body});
   bodies.prepare(0, 0);
   const PlanarBody told = bodies.state(0, 0);
   for (int k = 1; k <= 2; ++k) {
@@ -133,7 +133,7 @@ PlanarBody with_past(int order) {
 }
 
 /// Makes the step from `step` on, of the only part.
-void advance(PlanarBodies& bodies, PlanarNeighbours& neighbours, long step) {
+void advance(PlanarBodyStates& bodies, PlanarNeighbours& neighbours, long step) {
   std::vector<int> to_list;
   bodies.prepare(0, step);
   bodies.advance(0, step, planar_kernel(PlanarInstructions::baseline), neighbours, 0, to_list);
@@ -144,7 +144,7 @@ void advance(PlanarBodies& bodies, PlanarNeighbours& neighbours, long step) {
 // Each step adds the velocity and the acceleration F/m, T/I with which it began, and makes the
 // others older by one. The loads are kept different from step to step by gravity that is not the
 // load before.
-TEST(PlanarBodies, PastIsThatOfTheStepsBefore) {
+TEST(PlanarBodyStates, PastIsThatOfTheStepsBefore) {
   for (const int order : {2, 3, 4}) {
     PlanarSettings settings = settings_of();
     settings.order = order;
@@ -153,7 +153,7 @@ TEST(PlanarBodies, PastIsThatOfTheStepsBefore) {
     const double load[3] = {1e-3, -2e-3, 1e-7};
     std::copy_n(load, 3, body.load);
     const PlanarParts parts = {1, 4};
-    PlanarBodies bodies(settings, parts, {body});
+    PlanarBodyStates bodies(settings, parts, {body});
     PlanarBlocks blocks(1, 3);
     PlanarDependencies dependencies(parts);
     PlanarNeighbours neighbours(settings, bodies, parts, blocks, dependencies);
@@ -178,13 +178,13 @@ TEST(PlanarBodies, PastIsThatOfTheStepsBefore) {
 // the floor: with the torque T = lever x F. The step lacks the velocity F s/m and the displacement
 // F s^2/(2 m). Continued backwards, the force is F at all times, and the velocity that it makes of
 // 0 at its beginning is F (s - t)/m at a time t ago; the same of the torque and the rotation.
-TEST(PlanarBodies, AnEventCorrectsThePastAndLeavesWhatWasMissed) {
+TEST(PlanarBodyStates, AnEventCorrectsThePastAndLeavesWhatWasMissed) {
   for (const int order : {2, 3, 4})
     for (const long step : {0, 1, 2}) {
       PlanarSettings settings = settings_of();
       settings.order = order;
       const PlanarParts parts = {1, 4};
-      PlanarBodies bodies(settings, parts, {with_past(order)});
+      PlanarBodyStates bodies(settings, parts, {with_past(order)});
       PlanarEvents events(parts);
       events.resize(1);
       PlanarContact contact = PlanarContact();
@@ -210,7 +210,7 @@ TEST(PlanarBodies, AnEventCorrectsThePastAndLeavesWhatWasMissed) {
         const double a = acceleration[d];
         EXPECT_NEAR(after.missed_velocity[d], a * s, 1e-12 * std::fabs(a * s));
         EXPECT_NEAR(after.missed_displacement[d], a * s * s / 2, 1e-12 * std::fabs(a * s * s));
-        EXPECT_NEAR(events.motion(0).acceleration[d], a, 1e-12 * std::fabs(a));
+        EXPECT_NEAR(events.jump(0).acceleration[d], a, 1e-12 * std::fabs(a));
       }
       for (int k = 0; k < order - 1; ++k) {
         const double share = s - (k + 1) * settings.dt;
@@ -227,13 +227,13 @@ TEST(PlanarBodies, AnEventCorrectsThePastAndLeavesWhatWasMissed) {
     }
 }
 
-TEST(PlanarBodies, LoadsBeginWithTheWeight) {
+TEST(PlanarBodyStates, LoadsBeginWithTheWeight) {
   PlanarSettings settings = settings_of();
   settings.gravity[0] = 1.0;
   settings.gravity[1] = -9.81;
   PlanarBody body = rod(5, 0, 0, 0);
   body.load[2] = 1.0;
-  PlanarBodies bodies = bodies_of(settings, {body});
+  PlanarBodyStates bodies = bodies_of(settings, {body});
   bodies.begin_loads();
   const PlanarBody told = bodies.state(0, 0);
   EXPECT_EQ(told.load[0], body.mass);
@@ -242,9 +242,9 @@ TEST(PlanarBodies, LoadsBeginWithTheWeight) {
 }
 
 // Spheres of ghosts lie behind those of the bodies of the rank, and are given anew with them.
-TEST(PlanarBodies, GhostsComeAndGo) {
+TEST(PlanarBodyStates, GhostsComeAndGo) {
   PlanarSettings settings = settings_of();
-  PlanarBodies bodies = bodies_of(settings, {rod(2, 0, 0, 0), rod(3, 0.1, 0, 0)});
+  PlanarBodyStates bodies = bodies_of(settings, {rod(2, 0, 0, 0), rod(3, 0.1, 0, 0)});
   bodies.resize(4);
   const auto ghost_of = [](int tag, double aspect_ratio) {
     PlanarBody body = moving(rod(aspect_ratio, 0.2, 0.01 * tag, 0.5), 1.0, 0.0);

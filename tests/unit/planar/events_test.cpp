@@ -35,7 +35,7 @@ PlanarEvents events_of_three() {
   return events;
 }
 
-const PlanarEvents::Changes& only_change(const PlanarEvents& events, int part) {
+const PlanarEvents::ChangedBody& only_change(const PlanarEvents& events, int part) {
   EXPECT_EQ(events.changes(part).size(), 1u);
   return events.changes(part).at(0);
 }
@@ -58,7 +58,7 @@ TEST(PlanarEvents, TouchChangesForceAndTorqueOfBothBodies) {
                       dt, &events);
   const double impulse = k * w * s * s / 2 + c * w * s;
   for (const int part : {0, 1}) {  // bodies 0 and 2
-    const PlanarEvents::Changes& change = only_change(events, part);
+    const PlanarEvents::ChangedBody& change = only_change(events, part);
     const double sign = part == 0 ? 1 : -1;
     EXPECT_EQ(change.body, part == 0 ? 0 : 2);
     EXPECT_TRUE(change.jumps);
@@ -121,7 +121,7 @@ TEST(PlanarEvents, ChangesOfABodyAddUp) {
   events.add(contact, change, false);
   EXPECT_FALSE(only_change(events, 0).jumps);
   events.add(contact, change, true);
-  const PlanarEvents::Changes& sum = only_change(events, 0);
+  const PlanarEvents::ChangedBody& sum = only_change(events, 0);
   EXPECT_EQ(sum.body, 1);
   EXPECT_TRUE(sum.jumps);
   EXPECT_DOUBLE_EQ(sum.sum.force.now[0], 4);

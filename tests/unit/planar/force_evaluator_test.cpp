@@ -28,7 +28,7 @@ struct Contacts {
   PlanarSettings settings;
   PlanarParts parts = {2, 4};
   PlanarKernel kernel;
-  PlanarBodies bodies;
+  PlanarBodyStates bodies;
   PlanarBlocks blocks = {2, slots};
   PlanarEvents events = PlanarEvents(parts);
   PlanarDependencies dependencies = PlanarDependencies(parts);
@@ -101,7 +101,7 @@ struct Contacts {
 
   void evaluate() {
     for (int part = 0; part < parts.count(); ++part) evaluator.evaluate(part, 7);
-    blocks.turn(1);
+    blocks.age(1);
   }
 
   std::size_t count() const { return blocks.pairs().contacts() + blocks.at_walls().contacts(); }
@@ -149,13 +149,13 @@ void expect_same(const Contacts& a, const Contacts& b, Branch branch) {
                   d < 2 ? 0.1 : 0.1 * diameter, "load");
   expect_same_lanes(a.blocks.pairs(), b.blocks.pairs(), branch);
   expect_same_lanes(a.blocks.at_walls(), b.blocks.at_walls(), branch);
-  const std::vector<PlanarEvents::Changes>&changes = a.events.changes(0),
+  const std::vector<PlanarEvents::ChangedBody>&changes = a.events.changes(0),
         &others = b.events.changes(0);
   ASSERT_EQ(changes.size(), others.size());
-  for (const PlanarEvents::Changes& change : changes) {
-    const auto other =
-        std::find_if(others.begin(), others.end(),
-                     [&](const PlanarEvents::Changes& entry) { return entry.body == change.body; });
+  for (const PlanarEvents::ChangedBody& change : changes) {
+    const auto other = std::find_if(
+        others.begin(), others.end(),
+        [&](const PlanarEvents::ChangedBody& entry) { return entry.body == change.body; });
     ASSERT_NE(other, others.end());
     EXPECT_EQ(change.jumps, other->jumps);
     expect_same_change(change.sum.force, other->sum.force, 0.1);

@@ -24,7 +24,7 @@ PlanarBody tagged(int tag, double x) {
   return body;
 }
 
-PlanarJump some_change() { return {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}, 0.6, 0.8}; }
+PlanarJump some_jump() { return {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}, 0.6, 0.8}; }
 
 void expect_same(const PlanarJump& a, const PlanarJump& b) {
   for (int d = 0; d < 3; ++d) {
@@ -40,7 +40,7 @@ void expect_same(const PlanarJump& a, const PlanarJump& b) {
 struct Rank {
   PlanarSettings settings = settings_of();
   PlanarParts parts = {2, 4};
-  PlanarBodies bodies = {settings, parts, {tagged(0, 0.0), tagged(1, 0.05)}};
+  PlanarBodyStates bodies = {settings, parts, {tagged(0, 0.0), tagged(1, 0.05)}};
   PlanarBlocks blocks = {2, 3};
   PlanarEvents events = PlanarEvents(parts);
   PlanarDependencies dependencies = PlanarDependencies(parts);
@@ -93,7 +93,7 @@ class OtherRank : public PlanarRanks {
 TEST(PlanarHaloMessages, BodiesArriveAsTheyWereSent) {
   PlanarBody still = tagged(7, 0.1), jumped = tagged(9, 0.2);
   jumped.jumped = true;
-  jumped.change = some_change();
+  jumped.jump = some_jump();
   for (std::size_t k = 0; k < still.spheres.size(); ++k)
     still.spheres[k].tag = 100 + static_cast<int>(k);
   std::vector<double> message;
@@ -117,15 +117,15 @@ TEST(PlanarHaloMessages, BodiesArriveAsTheyWereSent) {
   EXPECT_FALSE(first.jumped);
   EXPECT_EQ(second.tag, 9);
   ASSERT_TRUE(second.jumped);
-  expect_same(second.change, jumped.change);
+  expect_same(second.jump, jumped.jump);
 }
 
-TEST(PlanarHaloMessages, AFrameLeavesTheRadiusAsItIs) {
-  const PlanarKinematics frame = {1.0, 2.0, 0.6, 0.8, {3.0, 4.0, 5.0}, 6.0};
+TEST(PlanarHaloMessages, KinematicsLeaveTheRadiusAsItIs) {
+  const PlanarKinematics kinematics = {1.0, 2.0, 0.6, 0.8, {3.0, 4.0, 5.0}, 6.0};
   double values[16];
   PlanarKinematics told = PlanarKinematics();
   told.radius = 9.0;
-  double* const end = pack_kinematics(frame, values);
+  double* const end = pack_kinematics(kinematics, values);
   EXPECT_EQ(unpack_kinematics(values, told), end);
   EXPECT_EQ(told.y, 2.0);
   EXPECT_EQ(told.sine, 0.8);
@@ -155,19 +155,19 @@ TEST(PlanarGhosts, MoveAndJumpAsTheirBodies) {
   Rank rank;
   PlanarBody body = tagged(10, 0.1);
   body.jumped = true;
-  body.change = some_change();
+  body.jump = some_jump();
   rank.choose({body});
   ASSERT_TRUE(rank.events.jumped(2));
-  expect_same(rank.events.motion(2), body.change);
+  expect_same(rank.events.jump(2), body.jump);
   rank.neighbours.list_all();
-  PlanarKinematics frame = rank.bodies.kinematics(2);
+  PlanarKinematics kinematics = rank.bodies.kinematics(2);
   std::vector<int> to_list;
-  rank.ghosts.move(2, frame, to_list);
+  rank.ghosts.move(2, kinematics, to_list);
   EXPECT_TRUE(to_list.empty());
-  frame.x += 2e-3;  // more than any skin
-  rank.ghosts.move(2, frame, to_list);
+  kinematics.x += 2e-3;  // more than any skin
+  rank.ghosts.move(2, kinematics, to_list);
   EXPECT_EQ(to_list, std::vector<int>{2});
-  EXPECT_EQ(rank.bodies.kinematics(2).x, frame.x);
+  EXPECT_EQ(rank.bodies.kinematics(2).x, kinematics.x);
 }
 
 // The other rank has bodies from x = 0.06 on, with the same reach. Ghosts are those that are closer
@@ -210,30 +210,30 @@ TEST(PlanarHalo, BringsGhostsToEachStep) {
   EXPECT_EQ(rank.bodies.size(), 4);
   // Both have moved, and the second one had an event.
   other.step.resize(most_step_values(2));
-  PlanarKinematics frame = rank.bodies.kinematics(2);
-  frame.x = 0.0601;
-  double* next = pack_kinematics(frame, other.step.data());
-  frame.x = 0.0701;
-  next = pack_kinematics(frame, next);
+  PlanarKinematics kinematics = rank.bodies.kinematics(2);
+  kinematics.x = 0.0601;
+  double* next = pack_kinematics(kinematics, other.step.data());
+  kinematics.x = 0.0701;
+  next = pack_kinematics(kinematics, next);
   *next++ = 1.0;
   *next++ = 1.0;
-  pack_change(some_change(), next);
-  rank.events.set_jumped(1, some_change());
+  pack_jump(some_jump(), next);
+  rank.events.set_jumped(1, some_jump());
   EXPECT_FALSE(halo.update(to_list));
   EXPECT_EQ(other.links_of_last_swap, 1);
   EXPECT_EQ(rank.bodies.kinematics(2).x, 0.0601);
   EXPECT_EQ(rank.bodies.kinematics(3).x, 0.0701);
   EXPECT_FALSE(rank.events.jumped(2));
   ASSERT_TRUE(rank.events.jumped(3));
-  expect_same(rank.events.motion(3), some_change());
+  expect_same(rank.events.jump(3), some_jump());
   EXPECT_EQ(halo.ghosts_brought(), 2);
 
   const PlanarKinematics& own = rank.bodies.kinematics(1);
   std::vector<double> expected = {own.x,           own.y,           own.cosine,     own.sine,
                                   own.velocity[0], own.velocity[1], own.velocity[2]};
   expected.push_back(1.0);  // body that has jumped, and
-  expected.push_back(0.0);  // its place among those that are sent
-  for (double value = 1.0; value < 10.0; value += 1.0) expected.push_back(value);  // some_change()
+  expected.push_back(0.0);  // its number among those that are sent
+  for (double value = 1.0; value < 10.0; value += 1.0) expected.push_back(value);  // some_jump()
   expected.push_back(0.6);
   expected.push_back(0.8);
   EXPECT_EQ(other.sent_in_step, expected);

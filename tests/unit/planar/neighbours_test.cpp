@@ -21,7 +21,7 @@ namespace {
 struct Scene {
   PlanarSettings settings;
   PlanarParts parts;
-  PlanarBodies bodies;
+  PlanarBodyStates bodies;
   PlanarBlocks blocks;
   PlanarDependencies dependencies;
   PlanarNeighbours neighbours;
@@ -38,10 +38,10 @@ struct Scene {
 
   double gap(int i, int k, int j, int l) const {
     const auto centre = [&](int body, int sphere, double& x, double& y) {
-      const PlanarKinematics& frame = bodies.kinematics(body);
+      const PlanarKinematics& kinematics = bodies.kinematics(body);
       const PlanarSphere& at = bodies.spheres(body)[sphere];
-      x = frame.x + frame.cosine * at.x - frame.sine * at.y;
-      y = frame.y + frame.sine * at.x + frame.cosine * at.y;
+      x = kinematics.x + kinematics.cosine * at.x - kinematics.sine * at.y;
+      y = kinematics.y + kinematics.sine * at.x + kinematics.cosine * at.y;
     };
     double xi, yi, xj, yj;
     centre(i, k, xi, yi);
@@ -251,13 +251,13 @@ TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   EXPECT_FALSE(scene.neighbours.follow_ghost(1)) << "there are no lists yet";
   scene.neighbours.list_all();
   EXPECT_GT(scene.blocks.pairs().filled(), 0);
-  PlanarKinematics frame = scene.bodies.kinematics(1);
-  frame.x = 0.016 - 0.97e-3 / std::sqrt(2.0);
-  scene.bodies.move_ghost(1, frame);
+  PlanarKinematics kinematics = scene.bodies.kinematics(1);
+  kinematics.x = 0.016 - 0.97e-3 / std::sqrt(2.0);
+  scene.bodies.move_ghost(1, kinematics);
   EXPECT_FALSE(scene.neighbours.follow_ghost(1));
   EXPECT_NEAR(scene.neighbours.moved()[1], 0.97e-3, 1e-15);
-  frame.x = 0.016 - 0.99e-3 / std::sqrt(2.0);
-  scene.bodies.move_ghost(1, frame);
+  kinematics.x = 0.016 - 0.99e-3 / std::sqrt(2.0);
+  scene.bodies.move_ghost(1, kinematics);
   EXPECT_TRUE(scene.neighbours.follow_ghost(1));
   scene.neighbours.list_anew({1});
   EXPECT_FALSE(scene.neighbours.follow_ghost(1));

@@ -220,7 +220,7 @@ TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
       settings.laws[3].kn *= 1.5;  // by type, so that the lanes of a register differ
       settings.events = events;
       settings.order = order;
-      settings.remembered = 4;
+      settings.slots = 4;
       std::vector<PlanarBody> start = heap(23, 5, 2.0);
       const double middle = 0.5 * settings.walls[2].position;
       for (std::size_t k = 0; k < start.size(); ++k) {

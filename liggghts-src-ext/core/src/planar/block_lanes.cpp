@@ -8,7 +8,7 @@
 
 namespace rodpack {
 
-void PlanarBlockPool::set_arguments(int part, PlanarForces& forces) {
+void PlanarBlockPool::set_arguments(int part, PlanarForceArguments& forces) {
   forces.heads = heads_.data();
   forces.values = all_values_.data();
   forces.block_laws = laws_.data();
@@ -55,7 +55,7 @@ void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
   history.since = cold.since[lane];
 }
 
-void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state, bool turned) {
+void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state, bool aged) {
   PlanarBlockHead& head = heads_[place];
   double* const of_lane = mutable_values(place) + lane;
   PlanarBlockColdData& cold = cold_[place];
@@ -71,7 +71,7 @@ void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state,
   cold.touch_rate[lane] = history.touch_rate;
   cold.since[lane] = history.since;
   of_lane[planar_spring] = history.spring;
-  for (int k = 0; k < slots_; ++k) of_lane[velocity(k, turned)] = history.velocity[k];
+  for (int k = 0; k < slots_; ++k) of_lane[velocity(k, aged)] = history.velocity[k];
   of_lane[planar_viscoelastic] = history.viscoelastic;
 }
 

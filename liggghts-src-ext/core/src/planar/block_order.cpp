@@ -62,7 +62,7 @@ void PlanarBlockPool::reorder(const std::vector<int>& order) {
     heads_[k] = work_.heads[order[k]];
     laws_[k] = work_.laws[order[k]];
     cold_[k] = work_.cold[order[k]];
-    const double* const from = &work_.values[values_place(order[k])];
+    const double* const from = &work_.values[first_value(order[k])];
     double* const to = mutable_values(k);
     for (int row = 0; row < rows(); ++row)
       std::copy_n(from + row * planar_row, planar_lanes, to + row * planar_row);

@@ -7,8 +7,8 @@
 
 namespace rodpack {
 
-PlanarBlockPool::PlanarBlockPool(int bodies, int remembered, int hole_j)
-    : slots_(remembered), of_body_(bodies) {
+PlanarBlockPool::PlanarBlockPool(int bodies, int slots, int hole_j)
+    : slots_(slots), of_body_(bodies) {
   hole_.j = hole_j;
   hole_.gap = std::numeric_limits<float>::infinity();
 }
@@ -129,8 +129,8 @@ bool PlanarBlocks::restore(const PlanarLaneState& contact) {
   return true;
 }
 
-void PlanarBlocks::turn(int steps) {
-  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->turn(steps);
+void PlanarBlocks::age(int steps) {
+  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->age(steps);
 }
 
 void PlanarBlocks::look_ahead(int steps) {

@@ -15,7 +15,7 @@
 namespace rodpack {
 
 class PlanarDependencies;
-struct PlanarForces;
+struct PlanarForceArguments;
 struct PlanarSphere;
 
 /// What the SIMD loops never read of a block: which spheres it pairs, and what a contact remembers
@@ -37,9 +37,9 @@ struct PlanarBlockColdData {
 /// been removed, unless that lies in a part before its own, or comes behind all sorted ones.
 class PlanarBlockPool {
  public:
-  /// @param remembered  tangential velocities that a contact remembers
+  /// @param slots  tangential velocities that a contact remembers
   /// @param hole_j  second body of the holes: 0 or, if the blocks are of walls, -1
-  PlanarBlockPool(int bodies, int remembered, int hole_j);
+  PlanarBlockPool(int bodies, int slots, int hole_j);
 
   void resize(int bodies) { of_body_.resize(bodies); }
   /// The number of places, holes too.
@@ -68,21 +68,21 @@ class PlanarBlockPool {
   /// The part with which a place is evaluated.
   int part_of(int place) const;
 
-  /// Offset of the velocities k steps back among a block's numbers; `turned`: as it will be after
-  /// the next turn of the ring buffer.
-  int velocity(int k, bool turned = false) const {
-    return planar_velocities + ring_place(k - ahead_ - (turned ? 1 : 0)) * planar_row;
+  /// Offset of the velocities k steps back among a block's numbers; `aged`: as it will be when
+  /// they have aged by one more step.
+  int velocity(int k, bool aged = false) const {
+    return planar_velocities + ring_index(k - ahead_ - (aged ? 1 : 0)) * planar_row;
   }
   /// Makes the velocities so many steps older.
-  void turn(int steps) {
-    newest_ = ring_place(-steps);
+  void age(int steps) {
+    newest_ = ring_index(-steps);
     ahead_ = 0;
   }
-  /// Until the next turn, velocities are counted from so many steps after the last one: a part of
+  /// Until they age, velocities are counted from so many steps after the last one: a part of
   /// the bodies may be some steps ahead of others.
   void look_ahead(int steps) { ahead_ = steps; }
   /// Sets what the SIMD loop needs to evaluate the blocks of a part.
-  void set_arguments(int part, PlanarForces& forces);
+  void set_arguments(int part, PlanarForceArguments& forces);
   /// Tangential velocities that a contact remembers.
   int slots() const { return slots_; }
   const PlanarBlockHead& head(int place) const { return heads_[place]; }
@@ -90,9 +90,9 @@ class PlanarBlockPool {
   int law(int place) const { return laws_[place]; }
   const PlanarBlockColdData& cold(int place) const { return cold_[place]; }
   /// The numbers of a block, from that of the first lane of the first row.
-  const double* values(int place) const { return all_values_.data() + values_place(place); }
+  const double* values(int place) const { return all_values_.data() + first_value(place); }
   /// The same numbers, for who brings the contact of a lane to the present step.
-  double* mutable_values(int place) { return all_values_.data() + values_place(place); }
+  double* mutable_values(int place) { return all_values_.data() + first_value(place); }
   /// Sets where the spheres that a block pairs lie in the frames of their bodies, among all spheres
   /// of body i and of body j, and the dashpots of their contacts.
   void set_spheres(int place, const PlanarSphere* of_i, const PlanarSphere* of_j,
@@ -100,18 +100,18 @@ class PlanarBlockPool {
 
   /// Copies the state of the contact of a lane.
   void save(int place, int lane, PlanarLaneState& state) const;
-  /// Sets the state of the contact of a lane; the spheres and bodies of the lane stay. `turned`:
-  /// the velocities count from the next turn of the ring buffer.
-  void restore(int place, int lane, const PlanarLaneState& state, bool turned = false);
+  /// Sets the state of the contact of a lane; the spheres and bodies of the lane stay. `aged`:
+  /// the velocities are those of the step after the next time they age.
+  void restore(int place, int lane, const PlanarLaneState& state, bool aged = false);
   void clear(int place, int lane) { restore(place, lane, PlanarLaneState()); }
 
  private:
-  std::size_t values_place(int place) const {
+  std::size_t first_value(int place) const {
     const std::size_t group = place / planar_group;
     return group * rows() * planar_row + place % planar_group * planar_lanes;
   }
   int rows() const { return planar_velocities / planar_row + slots_; }
-  int ring_place(int k) const { return ((newest_ + k) % slots_ + slots_) % slots_; }
+  int ring_index(int k) const { return ((newest_ + k) % slots_ + slots_) % slots_; }
 
   int take_hole(int part);
   void resize_blocks(int filled, int blocks);
@@ -137,15 +137,15 @@ class PlanarBlockPool {
   std::vector<int> ends_of_touching_, ends_of_others_;  // of each part; the last one: its own
 
   // Memory that sort() works in, kept since new memory costs more than the sorting.
-  struct Workspace {
-    std::vector<std::pair<std::uint64_t, int>> keys;  // place in the order, present place
+  struct SortingWorkspace {
+    std::vector<std::pair<std::uint64_t, int>> keys;  // key by which they are sorted, place
     std::vector<int> order;
     AlignedVector<PlanarBlockHead> heads;
     AlignedVector<double> values;
     std::vector<int> laws;
     std::vector<PlanarBlockColdData> cold;
   };
-  Workspace work_;
+  SortingWorkspace work_;
 };
 
 /// All blocks of a scene: between two bodies, and between a body and a wall.
@@ -173,7 +173,7 @@ class PlanarBlocks {
   bool restore(const PlanarLaneState& contact);
   /// Sorts all blocks, and enters what each part has to wait for.
   void sort(const PlanarParts& parts, PlanarDependencies& dependencies);
-  void turn(int steps);
+  void age(int steps);
   void look_ahead(int steps);
 
  private:

@@ -27,8 +27,8 @@ PlanarKinematics kinematics_of(const PlanarBody& body) {
 
 }  // namespace
 
-PlanarBodies::PlanarBodies(const PlanarSettings& given, const PlanarParts& division,
-                           const std::vector<PlanarBody>& bodies)
+PlanarBodyStates::PlanarBodyStates(const PlanarSettings& given, const PlanarParts& division,
+                                   const std::vector<PlanarBody>& bodies)
     : settings_(given), parts_(division), missed_(division.count()), newborn_(division.count()) {
   const std::size_t count = bodies.size();
   resize(static_cast<int>(count));
@@ -42,7 +42,7 @@ PlanarBodies::PlanarBodies(const PlanarSettings& given, const PlanarParts& divis
   for (std::size_t b = 0; b < count; ++b) add(static_cast<int>(b), bodies[b]);
 }
 
-void PlanarBodies::add(int body, const PlanarBody& from) {
+void PlanarBodyStates::add(int body, const PlanarBody& from) {
   set_info(body, from);
   if (from.tag < 0) tags_[body] = body;
   kinematics_[body] = kinematics_of(from);
@@ -66,7 +66,7 @@ void PlanarBodies::add(int body, const PlanarBody& from) {
 }
 
 /// Appends the spheres of the body to those of the others.
-void PlanarBodies::set_info(int body, const PlanarBody& from) {
+void PlanarBodyStates::set_info(int body, const PlanarBody& from) {
   const int count = static_cast<int>(from.spheres.size());
   info_[body] = {from.type,
                  from.mass,
@@ -79,19 +79,19 @@ void PlanarBodies::set_info(int body, const PlanarBody& from) {
   spheres_.insert(spheres_.end(), from.spheres.begin(), from.spheres.end());
 }
 
-double PlanarBodies::longest_reach() const {
+double PlanarBodyStates::longest_reach() const {
   double longest = 0.0;
   for (const PlanarBodyInfo& of : info_) longest = std::max(longest, of.reach);
   return longest;
 }
 
-double PlanarBodies::step_displacement(int body) const {
+double PlanarBodyStates::step_displacement(int body) const {
   const double* v = kinematics_[body].velocity;
   const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1]) + info_[body].reach * std::fabs(v[2]);
   return speed * settings_.dt;
 }
 
-PlanarBody PlanarBodies::present(int index) const {
+PlanarBody PlanarBodyStates::present(int index) const {
   const PlanarBodyInfo& of = info_[index];
   const PlanarKinematics& now = kinematics_[index];
   PlanarBody body;
@@ -109,7 +109,7 @@ PlanarBody PlanarBodies::present(int index) const {
   return body;
 }
 
-PlanarBody PlanarBodies::state(int index, long step) const {
+PlanarBody PlanarBodyStates::state(int index, long step) const {
   PlanarBody body = present(index);
   body.evaluations = evaluations_[index];
   std::copy_n(loads_[index].d, 3, body.load);
@@ -123,26 +123,26 @@ PlanarBody PlanarBodies::state(int index, long step) const {
   return body;
 }
 
-void PlanarBodies::resize(int bodies) {
+void PlanarBodyStates::resize(int bodies) {
   kinematics_.resize(bodies);
   loads_.resize(bodies, PlanarVector());
   info_.resize(bodies, PlanarBodyInfo());
   tags_.resize(bodies, -1);
 }
 
-void PlanarBodies::forget_ghost_spheres() {
+void PlanarBodyStates::forget_ghost_spheres() {
   int own = 0;
   for (int b = 0; b < owned(); ++b) own += info_[b].count;
   spheres_.resize(own);
 }
 
-void PlanarBodies::set_ghost(int ghost, const PlanarBody& body) {
+void PlanarBodyStates::set_ghost(int ghost, const PlanarBody& body) {
   set_info(ghost, body);
   move_ghost(ghost, kinematics_of(body));
   kinematics_[ghost].radius = body.radius;
 }
 
-void PlanarBodies::move_ghost(int ghost, const PlanarKinematics& moved) {
+void PlanarBodyStates::move_ghost(int ghost, const PlanarKinematics& moved) {
   const double radius = kinematics_[ghost].radius;
   kinematics_[ghost] = moved;
   kinematics_[ghost].radius = radius;

@@ -28,10 +28,10 @@ struct PlanarBodyInfo {
 /// steps that the multistep formula needs, and the motion that events have found to be missing. The
 /// bodies of this rank come first; behind them lie the ghosts, copies of bodies of other ranks, of
 /// which contacts need the kinematics alone.
-class PlanarBodies {
+class PlanarBodyStates {
  public:
-  PlanarBodies(const PlanarSettings& settings, const PlanarParts& parts,
-               const std::vector<PlanarBody>& bodies);
+  PlanarBodyStates(const PlanarSettings& settings, const PlanarParts& parts,
+                   const std::vector<PlanarBody>& bodies);
 
   int owned() const { return parts_.owned; }
   int size() const { return static_cast<int>(info_.size()); }  // with ghosts
@@ -65,7 +65,7 @@ class PlanarBodies {
   void begin_loads();
 
   /// Sets what the SIMD loop needs of the bodies to add the forces of contacts to their loads.
-  void set_arguments(PlanarForces& arguments);
+  void set_arguments(PlanarForceArguments& arguments);
   /// Adds a force, N, and a torque about the centre of mass, N m, to the load on a body.
   void add_load(int body, Vector2<double> force, double torque) {
     double* const load = loads_[body].d;
@@ -90,7 +90,7 @@ class PlanarBodies {
   void add(int body, const PlanarBody& from);
   void set_info(int body, const PlanarBody& from);
   void make_missed_motion(int body);
-  PlanarAdvance arguments(int part, long step);
+  PlanarAdvanceArguments arguments(int part, long step);
   void fill_past(int body, long step);
   /// Index into past_velocity and past_acceleration, ring buffers, of the rates k + 1 steps back.
   int past(int k, long step) const {

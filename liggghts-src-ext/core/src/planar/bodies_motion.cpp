@@ -9,22 +9,22 @@
 
 namespace rodpack {
 
-void PlanarBodies::make_missed_motion(int body) {
-  PlanarKinematics& frame = kinematics_[body];
+void PlanarBodyStates::make_missed_motion(int body) {
+  PlanarKinematics& kinematics = kinematics_[body];
   PlanarVector &displacement = missed_displacement_[body], &velocity = missed_velocity_[body];
-  frame.x += displacement.d[0];
-  frame.y += displacement.d[1];
+  kinematics.x += displacement.d[0];
+  kinematics.y += displacement.d[1];
   const double c = std::cos(displacement.d[2]), s = std::sin(displacement.d[2]);
-  const double cosine = frame.cosine * c - frame.sine * s;
-  frame.sine = frame.sine * c + frame.cosine * s;
-  frame.cosine = cosine;
-  for (int d = 0; d < 3; ++d) frame.velocity[d] += velocity.d[d];
+  const double cosine = kinematics.cosine * c - kinematics.sine * s;
+  kinematics.sine = kinematics.sine * c + kinematics.cosine * s;
+  kinematics.cosine = cosine;
+  for (int d = 0; d < 3; ++d) kinematics.velocity[d] += velocity.d[d];
   displacement = velocity = PlanarVector();
 }
 
 /// Gives a body that has not moved yet the past of constant acceleration that
 /// fill_kinematic_history() in rigid_motion.h derives.
-void PlanarBodies::fill_past(int body, long step) {
+void PlanarBodyStates::fill_past(int body, long step) {
   for (int k = 0; k < settings_.order - 1; ++k) {
     past_acceleration_[past(k, step)][body] = PlanarVector();
     for (int d = 0; d < 3; ++d)
@@ -34,25 +34,25 @@ void PlanarBodies::fill_past(int body, long step) {
   }
 }
 
-void PlanarBodies::prepare(int part, long step) {
+void PlanarBodyStates::prepare(int part, long step) {
   for (int body : missed_[part]) make_missed_motion(body);
   missed_[part].clear();
   for (int body : newborn_[part]) fill_past(body, step);
   newborn_[part].clear();
 }
 
-void PlanarBodies::advance(int part, long step, const PlanarKernel& kernel,
-                           PlanarNeighbours& neighbours, int steps_ahead,
-                           std::vector<int>& to_list) {
-  PlanarAdvance of_part = arguments(part, step);
+void PlanarBodyStates::advance(int part, long step, const PlanarKernel& kernel,
+                               PlanarNeighbours& neighbours, int steps_ahead,
+                               std::vector<int>& to_list) {
+  PlanarAdvanceArguments of_part = arguments(part, step);
   neighbours.set_arguments(steps_ahead, of_part);
   to_list.resize(of_part.bodies.end - of_part.bodies.first);
   of_part.to_list = to_list.data();
   to_list.resize(kernel.advance(of_part));
 }
 
-PlanarAdvance PlanarBodies::arguments(int part, long step) {
-  PlanarAdvance arguments = PlanarAdvance();
+PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
+  PlanarAdvanceArguments arguments = PlanarAdvanceArguments();
   const int order = settings_.order;
   arguments.bodies = parts_.bodies(part);
   arguments.order = order;
@@ -75,12 +75,12 @@ PlanarAdvance PlanarBodies::arguments(int part, long step) {
   return arguments;
 }
 
-void PlanarBodies::set_arguments(PlanarForces& arguments) {
+void PlanarBodyStates::set_arguments(PlanarForceArguments& arguments) {
   arguments.kinematics = kinematics_.data();
   arguments.loads = loads_.data();
 }
 
-void PlanarBodies::begin_loads() {
+void PlanarBodyStates::begin_loads() {
   std::fill(loads_.begin(), loads_.end(), PlanarVector());
   for (int b = 0; b < owned(); ++b)
     for (int d = 0; d < 2; ++d) loads_[b].d[d] = inertia_[b].d[3] * settings_.gravity[d];
@@ -88,9 +88,9 @@ void PlanarBodies::begin_loads() {
 
 /// Keeps what the forces' changes of branch have missed, and corrects the records of the past so
 /// that they continue the new branches backwards (event_correction.h).
-void PlanarBodies::apply_events(int part, long step, PlanarEvents& events) {
+void PlanarBodyStates::apply_events(int part, long step, PlanarEvents& events) {
   events.forget_jumps(part);
-  for (const PlanarEvents::Changes& change : events.changes(part)) {
+  for (const PlanarEvents::ChangedBody& change : events.changes(part)) {
     const int b = change.body;
     if (b >= owned()) continue;  // its own rank sees all of its contacts
     typedef KnownInverse<double> Inverse;

@@ -15,7 +15,8 @@ namespace rodpack {
 /// contacts what jumps did to their bodies in the step before. An `Events` of normal_history.h.
 class PlanarEvents {
  public:
-  struct Changes {
+  /// A body some of whose contacts changed their forces in a step.
+  struct ChangedBody {
     int body;
     BodyChange sum;
     bool jumps;
@@ -25,9 +26,9 @@ class PlanarEvents {
       : parts_(parts), changes_(parts.count()), jumped_bodies_(parts.count()) {}
 
   void resize(int bodies) {
-    place_.resize(bodies, -1);
+    index_.resize(bodies, -1);
     jumped_.resize(bodies, 0);
-    motions_.resize(bodies);
+    jumps_.resize(bodies);
   }
 
   void add(const PlanarContact& contact, const ForceChange& on_i, bool jumps) {
@@ -47,35 +48,35 @@ class PlanarEvents {
     const bool of_j = !contact.is_wall && jumped_[contact.body_j] != 0;
     if (!of_i && !of_j) return false;
     jump = ContactJump();
-    if (of_i) add_jump(contact, 1.0, motions_[contact.body_i], contact.offset_i, jump);
-    if (of_j) add_jump(contact, -1.0, motions_[contact.body_j], contact.offset_j, jump);
+    if (of_i) add_jump(contact, 1.0, jumps_[contact.body_i], contact.offset_i, jump);
+    if (of_j) add_jump(contact, -1.0, jumps_[contact.body_j], contact.offset_j, jump);
     return true;
   }
 
   /// Whether each body jumped in the last step; null if none of them did.
-  const char* jumped() const { return jumps_ == 0 ? nullptr : jumped_.data(); }
+  const char* jumped() const { return jumped_count_ == 0 ? nullptr : jumped_.data(); }
   bool jumped(int body) const { return jumped_[body] != 0; }
-  const PlanarJump& motion(int body) const { return motions_[body]; }
-  void set_jumped(int body, const PlanarJump& motion) {
+  const PlanarJump& jump(int body) const { return jumps_[body]; }
+  void set_jumped(int body, const PlanarJump& jump) {
     if (!jumped_[body]) {
       jumped_bodies_[parts_.of(body)].push_back(body);
-      ++jumps_;
+      ++jumped_count_;
     }
     jumped_[body] = 1;
-    motions_[body] = motion;
+    jumps_[body] = jump;
   }
   /// Forgets the jumps of the bodies of a part, before those of a new step are set.
   void forget_jumps(int part) {
     std::vector<int>& bodies = jumped_bodies_[part];
     for (int body : bodies) jumped_[body] = 0;
-    jumps_ -= static_cast<int>(bodies.size());
+    jumped_count_ -= static_cast<int>(bodies.size());
     bodies.clear();
   }
 
   /// The sums of the changes of forces over the bodies of a part that had some in this step.
-  const std::vector<Changes>& changes(int part) const { return changes_[part]; }
+  const std::vector<ChangedBody>& changes(int part) const { return changes_[part]; }
   void forget_changes(int part) {
-    for (const Changes& change : changes_[part]) place_[change.body] = -1;
+    for (const ChangedBody& change : changes_[part]) index_[change.body] = -1;
     changes_[part].clear();
   }
 
@@ -87,24 +88,24 @@ class PlanarEvents {
       lever[d] += arm[d];
       rate[d] += v[d] - body_v[d];
     }
-    std::vector<Changes>& of_part = changes_[parts_.of(body)];
-    if (place_[body] < 0) {
-      place_[body] = static_cast<int>(of_part.size());
-      of_part.push_back(Changes{body, BodyChange(), false});
+    std::vector<ChangedBody>& of_part = changes_[parts_.of(body)];
+    if (index_[body] < 0) {
+      index_[body] = static_cast<int>(of_part.size());
+      of_part.push_back(ChangedBody{body, BodyChange(), false});
     }
-    Changes& change = of_part[place_[body]];
+    ChangedBody& change = of_part[index_[body]];
     change.sum.force += force;
     change.sum.torque += planar_torque_change(lever, rate, force);
     change.jumps = change.jumps || jumps;
   }
 
   PlanarParts parts_;
-  std::vector<int> place_;  // of a body in the changes of its part, -1: not there
-  std::vector<std::vector<Changes>> changes_;
+  std::vector<int> index_;  // of a body in the changes of its part, -1: not there
+  std::vector<std::vector<ChangedBody>> changes_;
   std::vector<char> jumped_;
   std::vector<std::vector<int>> jumped_bodies_;
-  int jumps_ = 0;
-  std::vector<PlanarJump> motions_;
+  int jumped_count_ = 0;
+  std::vector<PlanarJump> jumps_;
 };
 
 }  // namespace rodpack

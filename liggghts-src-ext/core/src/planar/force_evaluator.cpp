@@ -12,7 +12,7 @@
 namespace rodpack {
 
 PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const PlanarKernel& kernel,
-                                           PlanarBodies& of_bodies,
+                                           PlanarBodyStates& of_bodies,
                                            const PlanarNeighbours& neighbours, PlanarBlocks& blocks,
                                            PlanarEvents& of_contacts)
     : settings_(given),
@@ -36,8 +36,8 @@ void PlanarForceEvaluator::evaluate(int part, long step) {
   evaluate_general(blocks_.at_walls(), kernel_.walls(arguments(blocks_.at_walls(), part)));
 }
 
-PlanarForces PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
-  PlanarForces forces = PlanarForces();
+PlanarForceArguments PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int part) {
+  PlanarForceArguments forces = PlanarForceArguments();
   pool.set_arguments(part, forces);
   bodies_.set_arguments(forces);
   forces.moved = neighbours_.moved();

@@ -13,7 +13,7 @@
 
 namespace rodpack {
 
-class PlanarBodies;
+class PlanarBodyStates;
 class PlanarNeighbours;
 
 /// Evaluates the contact forces of one part of the bodies at a time: adds them to the loads of the
@@ -24,7 +24,7 @@ class PlanarForceEvaluator {
  public:
   /// All that is given has to outlive it.
   PlanarForceEvaluator(const PlanarSettings& settings, const PlanarKernel& kernel,
-                       PlanarBodies& bodies, const PlanarNeighbours& neighbours,
+                       PlanarBodyStates& bodies, const PlanarNeighbours& neighbours,
                        PlanarBlocks& blocks, PlanarEvents& events);
 
   /// Evaluates the contacts that part `part` completes, at the positions of step `step`.
@@ -40,7 +40,7 @@ class PlanarForceEvaluator {
   long general_contacts() const { return general_contacts_; }
 
  private:
-  PlanarForces arguments(PlanarBlockPool& pool, int part);
+  PlanarForceArguments arguments(PlanarBlockPool& pool, int part);
   void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
   bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
@@ -52,7 +52,7 @@ class PlanarForceEvaluator {
   const PlanarSettings& settings_;
   const int slots_;  // tangential velocities that a contact remembers
   const bool follows_;
-  PlanarBodies& bodies_;
+  PlanarBodyStates& bodies_;
   const PlanarNeighbours& neighbours_;
   PlanarBlocks& blocks_;
   PlanarEvents& events_;
@@ -63,11 +63,11 @@ class PlanarForceEvaluator {
   long general_contacts_ = 0;
 
   // Memory that the SIMD loop works in.
-  struct Workspace {
+  struct ForceWorkspace {
     std::vector<PlanarGeneralBlock> general;
     std::vector<int> awake;
   };
-  Workspace work_;
+  ForceWorkspace work_;
 };
 
 }  // namespace rodpack

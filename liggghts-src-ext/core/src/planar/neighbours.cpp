@@ -20,7 +20,7 @@ constexpr double before_its_skin = 0.98;
 
 }  // namespace
 
-PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarBodies& bodies,
+PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarBodyStates& bodies,
                                    const PlanarParts& parts, PlanarBlocks& blocks,
                                    PlanarDependencies& dependencies)
     : settings_(settings),
@@ -43,11 +43,13 @@ void PlanarNeighbours::resize(int bodies) {
 
 /// Makes the present position of the body its reference position, and sets its skin.
 void PlanarNeighbours::set_reference(int body) {
-  const PlanarKinematics& frame = bodies_.kinematics(body);
+  const PlanarKinematics& kinematics = bodies_.kinematics(body);
   const double displacement = bodies_.step_displacement(body);
   const double skin = std::min(settings_.max_skin,
                                std::max(settings_.min_skin, settings_.skin_steps * displacement));
-  references_[body] = {frame.x, frame.y, frame.cosine, frame.sine, bodies_.info(body).reach, skin};
+  references_[body] = {
+      kinematics.x, kinematics.y, kinematics.cosine, kinematics.sine, bodies_.info(body).reach,
+      skin};
   set_lanes(body, references_[body]);
   moved_[body] = 0.0;
   // The bound in `moved_` may be the square root of 2 times too large.
@@ -74,7 +76,7 @@ void PlanarNeighbours::renew_steps_within_skins() {
   steps_of_listed_ = most_steps_in_pass;
 }
 
-void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvance& arguments) {
+void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvanceArguments& arguments) {
   arguments.steps_ahead = steps_ahead;
   arguments.references = reference_lanes_.data();
   arguments.moved = moved_.data();
@@ -113,10 +115,10 @@ void PlanarNeighbours::remove_ghost(int ghost) {
 
 /// Bounds the motion as the SIMD loop does that advances the bodies of this rank.
 bool PlanarNeighbours::follow_ghost(int ghost) {
-  const PlanarKinematics& frame = bodies_.kinematics(ghost);
+  const PlanarKinematics& kinematics = bodies_.kinematics(ghost);
   const PlanarReference& at = references_[ghost];
-  const double rx = frame.x - at.x, ry = frame.y - at.y;
-  const double tc = frame.cosine - at.cosine, ts = frame.sine - at.sine;
+  const double rx = kinematics.x - at.x, ry = kinematics.y - at.y;
+  const double tc = kinematics.cosine - at.cosine, ts = kinematics.sine - at.sine;
   double& moved = moved_[ghost];
   moved = std::sqrt(2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts)));
   return exist_ && moved > before_its_skin * at.skin;
@@ -185,10 +187,10 @@ PlanarNeighbours::Coefficients PlanarNeighbours::coefficients(int i, int j) cons
     type_j = of_j.type;
     mass = effective_mass(m, of_j.mass);
   }
-  const int place = of_i.type * settings_.types + type_j;
-  const PlanarLaw& law = settings_.laws[place];
+  const int law_index = of_i.type * settings_.types + type_j;
+  const PlanarLaw& law = settings_.laws[law_index];
   return {
-      place,
+      law_index,
       {damping_coefficient(law.eta_n, mass, law.kn), damping_coefficient(law.eta_t, mass, law.kt)}};
 }
 

@@ -14,7 +14,7 @@
 namespace rodpack {
 
 class PlanarBlocks;
-class PlanarBodies;
+class PlanarBodyStates;
 
 /// Neighbour lists of single bodies. A body is listed anew when a point of it has moved by its skin
 /// since it was listed last, at its reference position. Two spheres are candidates for a contact if
@@ -23,7 +23,7 @@ class PlanarBodies;
 class PlanarNeighbours {
  public:
   /// All that is given has to outlive the lists, which change `blocks` and `dependencies`.
-  PlanarNeighbours(const PlanarSettings& settings, const PlanarBodies& bodies,
+  PlanarNeighbours(const PlanarSettings& settings, const PlanarBodyStates& bodies,
                    const PlanarParts& parts, PlanarBlocks& blocks,
                    PlanarDependencies& dependencies);
 
@@ -51,7 +51,7 @@ class PlanarNeighbours {
 
   /// Sets what the SIMD loop needs to find the bodies that have left their skin, or will in
   /// `steps_ahead` further steps.
-  void set_arguments(int steps_ahead, PlanarAdvance& arguments);
+  void set_arguments(int steps_ahead, PlanarAdvanceArguments& arguments);
   /// Upper bounds on how far each body has moved since it was listed, m.
   const double* moved() const { return moved_.data(); }
   /// The number of lists of single bodies that were made anew.
@@ -73,7 +73,7 @@ class PlanarNeighbours {
   Coefficients coefficients(int i, int j) const;
 
   const PlanarSettings& settings_;
-  const PlanarBodies& bodies_;
+  const PlanarBodyStates& bodies_;
   const PlanarParts parts_;
   PlanarBlocks& blocks_;
   PlanarDependencies& dependencies_;
@@ -88,12 +88,12 @@ class PlanarNeighbours {
   AlignedVector<double> moved_;
 
   // Memory that listing works in.
-  struct Workspace {
+  struct ListingWorkspace {
     std::vector<int> near;                    // bodies that may have candidates with one
     std::vector<PlanarCandidate> candidates;  // of two bodies
     std::vector<PlanarLaneState> contacts;    // of a body while it is listed anew
   };
-  Workspace work_;
+  ListingWorkspace work_;
 };
 
 }  // namespace rodpack

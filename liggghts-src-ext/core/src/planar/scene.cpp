@@ -33,8 +33,7 @@ void require(bool holds, const std::string& name, double value, const char* expe
 
 void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
   require(s.order >= 1 && s.order <= max_multistep_order, "order", s.order, "1, 2, 3 or 4");
-  require(s.remembered >= 1 && s.remembered <= max_multistep_order, "remembered", s.remembered,
-          "1, 2, 3 or 4");
+  require(s.slots >= 1 && s.slots <= max_multistep_order, "slots", s.slots, "1, 2, 3 or 4");
   require(s.dt > 0.0, "time step", s.dt, "a step > 0 (s)");
   require(s.types >= 1 && s.laws.size() == static_cast<std::size_t>(s.types) * s.types,
           "number of laws", static_cast<double>(s.laws.size()), "one for every pair of types");
@@ -72,11 +71,12 @@ void validate_tags(const std::vector<PlanarBody>& bodies) {
             "tags >= 0, each once");
 }
 
-bool has_sphere(const PlanarBodies& bodies, int body, int sphere) {
+bool has_sphere(const PlanarBodyStates& bodies, int body, int sphere) {
   return body >= 0 && body < bodies.size() && sphere >= 0 && sphere < bodies.info(body).count;
 }
 
-void validate(const PlanarContactState& contact, const PlanarBodies& bodies, std::size_t walls) {
+void validate(const PlanarContactState& contact, const PlanarBodyStates& bodies,
+              std::size_t walls) {
   require(has_sphere(bodies, contact.body_i, contact.sphere_i), "sphere of a contact",
           contact.sphere_i, "one of a body of the scene");
   if (contact.body_j >= 0)
@@ -117,7 +117,7 @@ struct PlanarScene::Data : private PlanarPartStep {
   const PlanarSettings settings;
   const PlanarParts parts;
   const PlanarKernel kernel;
-  PlanarBodies bodies;
+  PlanarBodyStates bodies;
   PlanarBlocks blocks;
   PlanarEvents events;
   PlanarDependencies dependencies;
@@ -143,7 +143,7 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
       parts{static_cast<int>(all.size()), bodies_in_part},
       kernel(planar_kernel(given.instructions)),
       bodies(settings, parts, all),
-      blocks(bodies.size(), std::max(given.order, given.remembered)),
+      blocks(bodies.size(), std::max(given.order, given.slots)),
       events(parts),
       dependencies(parts),
       neighbours(settings, bodies, parts, blocks, dependencies),
@@ -152,7 +152,7 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
       pipeline_(parts, dependencies) {
   events.resize(bodies.size());
   for (std::size_t b = 0; b < all.size(); ++b)
-    if (all[b].jumped) events.set_jumped(static_cast<int>(b), all[b].change);
+    if (all[b].jumped) events.set_jumped(static_cast<int>(b), all[b].jump);
   double longest_reach = bodies.longest_reach();
   if (ranks) ranks->largest(&longest_reach, 1);
   neighbours.set_longest_reach(longest_reach);
@@ -181,7 +181,7 @@ void PlanarScene::Data::evaluate_all() {
   for (int part = 0; part < parts.count(); ++part) forces.evaluate(part, steps);
   // No step has gone by that could have missed something.
   for (int part = 0; part < parts.count(); ++part) events.forget_changes(part);
-  blocks.turn(1);
+  blocks.age(1);
 }
 
 int PlanarScene::Data::pass(long most) {
@@ -194,7 +194,7 @@ int PlanarScene::Data::pass(long most) {
   steps_of_pass_ = static_cast<int>(std::min(steps_of_pass, most));
   if (steps % steps_between_sorts == steps_between_sorts / 2) sort_blocks();
   pipeline_.run(steps_of_pass_, *this);
-  blocks.turn(steps_of_pass_);
+  blocks.age(steps_of_pass_);
   for (int part = 0; part < parts.count(); ++part) correct_for_events(steps_of_pass_, part);
   steps += steps_of_pass_;
   return steps_of_pass_;
@@ -285,7 +285,7 @@ int PlanarScene::sphere_tag(int body, int sphere) const {
 PlanarBody PlanarScene::body(int index) const {
   PlanarBody body = data_->bodies.state(index, data_->steps);
   body.jumped = data_->events.jumped(index);
-  if (body.jumped) body.change = data_->events.motion(index);
+  if (body.jumped) body.jump = data_->events.jump(index);
   return body;
 }
 

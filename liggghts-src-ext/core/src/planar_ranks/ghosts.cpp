@@ -16,7 +16,7 @@ void PlanarGhosts::choose(const std::vector<PlanarBody>& chosen, std::vector<int
     const auto known = of_tag_.find(body.tag);
     const int ghost = known == of_tag_.end() ? new_ghost() : known->second;
     bodies_.set_ghost(ghost, body);
-    if (body.jumped) events_.set_jumped(ghost, body.change);
+    if (body.jumped) events_.set_jumped(ghost, body.jump);
     if (known != of_tag_.end()) {
       if (neighbours_.follow_ghost(ghost)) to_list.push_back(ghost);
       continue;
@@ -60,8 +60,8 @@ int PlanarGhosts::new_ghost() {
   return ghost;
 }
 
-void PlanarGhosts::move(int ghost, const PlanarKinematics& frame, std::vector<int>& to_list) {
-  bodies_.move_ghost(ghost, frame);
+void PlanarGhosts::move(int ghost, const PlanarKinematics& kinematics, std::vector<int>& to_list) {
+  bodies_.move_ghost(ghost, kinematics);
   if (neighbours_.follow_ghost(ghost)) to_list.push_back(ghost);
 }
 

@@ -10,7 +10,7 @@
 
 namespace rodpack {
 
-class PlanarBodies;
+class PlanarBodyStates;
 class PlanarEvents;
 class PlanarNeighbours;
 
@@ -18,7 +18,7 @@ class PlanarNeighbours;
 /// of the other ranks.
 class PlanarGhosts {
  public:
-  PlanarGhosts(PlanarBodies& bodies, PlanarNeighbours& neighbours, PlanarEvents& events)
+  PlanarGhosts(PlanarBodyStates& bodies, PlanarNeighbours& neighbours, PlanarEvents& events)
       : bodies_(bodies), neighbours_(neighbours), events_(events) {}
 
   /// Makes these bodies the ghosts. Those that have been ghosts before, by their tags, keep their
@@ -27,13 +27,13 @@ class PlanarGhosts {
   /// Index among the bodies of the ghost with this tag.
   int of_tag(int tag) const { return of_tag_.at(tag); }
   /// Brings a ghost to the next step; appends it to `to_list` if it has to be listed anew.
-  void move(int ghost, const PlanarKinematics& frame, std::vector<int>& to_list);
+  void move(int ghost, const PlanarKinematics& kinematics, std::vector<int>& to_list);
 
  private:
   void drop_all_but(const std::vector<PlanarBody>& chosen);
   int new_ghost();
 
-  PlanarBodies& bodies_;
+  PlanarBodyStates& bodies_;
   PlanarNeighbours& neighbours_;
   PlanarEvents& events_;
   std::unordered_map<int, int> of_tag_;

@@ -35,13 +35,13 @@ struct Box {
   double low[2], high[2];
   double reach;  // of the longest body, m; negative: there are no bodies
 
-  bool is_near(const PlanarKinematics& frame, double distance) const {
-    return reach >= 0.0 && frame.x > low[0] - distance && frame.x < high[0] + distance &&
-           frame.y > low[1] - distance && frame.y < high[1] + distance;
+  bool is_near(const PlanarKinematics& kinematics, double distance) const {
+    return reach >= 0.0 && kinematics.x > low[0] - distance && kinematics.x < high[0] + distance &&
+           kinematics.y > low[1] - distance && kinematics.y < high[1] + distance;
   }
 };
 
-Box box_around(const PlanarBodies& bodies) {
+Box box_around(const PlanarBodyStates& bodies) {
   Box box = {{1e300, 1e300}, {-1e300, -1e300}, -1.0};
   for (int b = 0; b < bodies.owned(); ++b) {
     const double position[2] = {bodies.kinematics(b).x, bodies.kinematics(b).y};
@@ -57,7 +57,7 @@ Box box_around(const PlanarBodies& bodies) {
 }  // namespace
 
 PlanarHalo::PlanarHalo(PlanarRanks& ranks, const PlanarSettings& settings, double longest_reach,
-                       const PlanarBodies& bodies, PlanarEvents& events, PlanarGhosts& ghosts)
+                       const PlanarBodyStates& bodies, PlanarEvents& events, PlanarGhosts& ghosts)
     : ranks_(ranks),
       settings_(settings),
       bodies_(bodies),
@@ -87,8 +87,8 @@ bool PlanarHalo::update(std::vector<int>& to_list) {
 std::vector<PlanarHalo::Pose> PlanarHalo::own_poses() const {
   std::vector<Pose> poses;
   for (int b = 0; b < bodies_.owned(); ++b) {
-    const PlanarKinematics& frame = bodies_.kinematics(b);
-    poses.push_back({frame.x, frame.y, frame.cosine, frame.sine});
+    const PlanarKinematics& kinematics = bodies_.kinematics(b);
+    poses.push_back({kinematics.x, kinematics.y, kinematics.cosine, kinematics.sine});
   }
   return poses;
 }
@@ -116,10 +116,10 @@ double PlanarHalo::checked_distance() const {
 
 /// Whether ghosts have to be chosen anew; sets when to ask again. Collective.
 bool PlanarHalo::ask() {
-  double values[3] = {checked_distance(), 0.0, -1e300};  // the last one: -room
+  double values[3] = {checked_distance(), 0.0, -1e300};  // the last one: -distance_left()
   for (int b = 0; b < bodies_.owned(); ++b) {
     values[1] = std::max(values[1], bodies_.step_displacement(b));
-    if (is_limited_) values[2] = std::max(values[2], -room(b));
+    if (is_limited_) values[2] = std::max(values[2], -distance_left(b));
   }
   ranks_.largest(values, 3);
   const double gone = values[0], in_a_step = speed_margin * values[1];
@@ -132,14 +132,14 @@ bool PlanarHalo::ask() {
 }
 
 /// How much farther any point of the body may go along x and y, m.
-double PlanarHalo::room(int body) const {
-  const PlanarKinematics& frame = bodies_.kinematics(body);
+double PlanarHalo::distance_left(int body) const {
+  const PlanarKinematics& kinematics = bodies_.kinematics(body);
   const Pose& begun = begun_[body];
-  const double c = frame.cosine - begun.cosine, s = frame.sine - begun.sine;
+  const double c = kinematics.cosine - begun.cosine, s = kinematics.sine - begun.sine;
   const double turn = bodies_.info(body).reach * std::sqrt(c * c + s * s);
   const double* limit = settings_.farthest;
-  return std::min(limit[0] - std::fabs(frame.x - begun.x),
-                  limit[1] - std::fabs(frame.y - begun.y)) -
+  return std::min(limit[0] - std::fabs(kinematics.x - begun.x),
+                  limit[1] - std::fabs(kinematics.y - begun.y)) -
          turn;
 }
 
@@ -174,7 +174,7 @@ std::vector<std::vector<double>> PlanarHalo::choose(std::vector<std::vector<int>
       chosen[rank].push_back(b);
       PlanarBody body = bodies_.present(b);
       body.jumped = events_.jumped(b);
-      if (body.jumped) body.change = events_.motion(b);
+      if (body.jumped) body.jump = events_.jump(b);
       append_body(body, messages[rank]);
     }
   }
@@ -235,7 +235,7 @@ void PlanarHalo::pack(const Partner& partner, PlanarLink& link) const {
     if (!events_.jumped(body)) continue;
     jumps += 1.0;
     *next++ = static_cast<double>(k);
-    next = pack_change(events_.motion(body), next);
+    next = pack_jump(events_.jump(body), next);
   }
   link.out_count = static_cast<int>(next - link.out.data());
 }
@@ -243,16 +243,16 @@ void PlanarHalo::pack(const Partner& partner, PlanarLink& link) const {
 void PlanarHalo::unpack(const Partner& partner, const PlanarLink& link, std::vector<int>& to_list) {
   if (partner.received.empty()) return;
   const double* next = link.in.data();
-  PlanarKinematics frame = PlanarKinematics();
+  PlanarKinematics kinematics = PlanarKinematics();
   for (int ghost : partner.received) {
-    next = unpack_kinematics(next, frame);
-    ghosts_.move(ghost, frame, to_list);
+    next = unpack_kinematics(next, kinematics);
+    ghosts_.move(ghost, kinematics, to_list);
   }
   for (int jumps = static_cast<int>(*next++); jumps > 0; --jumps) {
     const int ghost = partner.received[static_cast<int>(*next++)];
-    PlanarJump change;
-    next = unpack_change(next, change);
-    events_.set_jumped(ghost, change);
+    PlanarJump jump;
+    next = unpack_jump(next, jump);
+    events_.set_jumped(ghost, jump);
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace rodpack {
 
-class PlanarBodies;
+class PlanarBodyStates;
 class PlanarDependencies;
 class PlanarEvents;
 class PlanarGhosts;
@@ -27,7 +27,7 @@ class PlanarHalo {
   /// Collective, as renew() and update() are. All that is given has to outlive it.
   /// @param longest_reach  of the bodies of all ranks, m
   PlanarHalo(PlanarRanks& ranks, const PlanarSettings& settings, double longest_reach,
-             const PlanarBodies& bodies, PlanarEvents& events, PlanarGhosts& ghosts);
+             const PlanarBodyStates& bodies, PlanarEvents& events, PlanarGhosts& ghosts);
 
   /// Chooses the ghosts, and brings all of them to this step; once before the first update().
   /// Ghosts that have to be listed anew are appended to `to_list`.
@@ -68,7 +68,7 @@ class PlanarHalo {
   std::vector<Pose> own_poses() const;
   double checked_distance() const;
   bool ask();
-  double room(int body) const;
+  double distance_left(int body) const;
   std::vector<std::vector<double>> choose(std::vector<std::vector<int>>& chosen) const;
   std::vector<std::vector<int>> receive(const std::vector<std::vector<double>>& messages,
                                         std::vector<int>& to_list);
@@ -79,7 +79,7 @@ class PlanarHalo {
 
   PlanarRanks& ranks_;
   const PlanarSettings& settings_;
-  const PlanarBodies& bodies_;
+  const PlanarBodyStates& bodies_;
   PlanarEvents& events_;
   PlanarGhosts& ghosts_;
   const double reserve_;   // distance that each body may go before ghosts are chosen anew, m

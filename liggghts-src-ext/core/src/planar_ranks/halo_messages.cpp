@@ -7,47 +7,48 @@ namespace rodpack {
 
 namespace {
 
-const int kinematic_values = 7, change_values = 11;
+const int kinematic_values = 7, jump_values = 11;
 static_assert(sizeof(PlanarKinematics) == (kinematic_values + 1) * sizeof(double),
               "a message has all kinematics but the radius");
-static_assert(sizeof(PlanarJump) == change_values * sizeof(double),
+static_assert(sizeof(PlanarJump) == jump_values * sizeof(double),
               "a message has all that is known of a jump");
 
 }  // namespace
 
-double* pack_kinematics(const PlanarKinematics& frame, double* to) {
-  const double values[kinematic_values] = {frame.x,          frame.y,           frame.cosine,
-                                           frame.sine,       frame.velocity[0], frame.velocity[1],
-                                           frame.velocity[2]};
+double* pack_kinematics(const PlanarKinematics& kinematics, double* to) {
+  const double values[kinematic_values] = {
+      kinematics.x,           kinematics.y,           kinematics.cosine,     kinematics.sine,
+      kinematics.velocity[0], kinematics.velocity[1], kinematics.velocity[2]};
   return std::copy(values, values + kinematic_values, to);
 }
 
-const double* unpack_kinematics(const double* from, PlanarKinematics& frame) {
-  frame = {from[0], from[1], from[2], from[3], {from[4], from[5], from[6]}, frame.radius};
+const double* unpack_kinematics(const double* from, PlanarKinematics& kinematics) {
+  kinematics = {from[0], from[1], from[2], from[3], {from[4], from[5], from[6]}, kinematics.radius};
   return from + kinematic_values;
 }
 
-double* pack_change(const PlanarJump& change, double* to) {
-  for (const double(*part)[3] : {&change.acceleration, &change.velocity, &change.displacement})
+double* pack_jump(const PlanarJump& jump, double* to) {
+  for (const double(*part)[3] : {&jump.acceleration, &jump.velocity, &jump.displacement})
     to = std::copy(*part, *part + 3, to);
-  *to++ = change.cosine;
-  *to++ = change.sine;
+  *to++ = jump.cosine;
+  *to++ = jump.sine;
   return to;
 }
 
-const double* unpack_change(const double* from, PlanarJump& change) {
-  for (double(*part)[3] : {&change.acceleration, &change.velocity, &change.displacement}) {
+const double* unpack_jump(const double* from, PlanarJump& jump) {
+  for (double(*part)[3] : {&jump.acceleration, &jump.velocity, &jump.displacement}) {
     std::copy(from, from + 3, *part);
     from += 3;
   }
-  change.cosine = *from++;
-  change.sine = *from++;
+  jump.cosine = *from++;
+  jump.sine = *from++;
   return from;
 }
 
 std::size_t most_step_values(std::size_t bodies) {
-  // A frame for each, how many had events, and for each of these its place and what the event did.
-  return bodies == 0 ? 0 : bodies * (kinematic_values + 1 + change_values) + 1;
+  // A kinematics for each, how many had events, and for each of these its place and what the event
+  // did.
+  return bodies == 0 ? 0 : bodies * (kinematic_values + 1 + jump_values) + 1;
 }
 
 void append_body(const PlanarBody& body, std::vector<double>& to) {
@@ -60,8 +61,8 @@ void append_body(const PlanarBody& body, std::vector<double>& to) {
   to.insert(to.end(), body.velocity, body.velocity + 3);
   if (body.jumped) {
     const std::size_t at = to.size();
-    to.resize(at + change_values);
-    pack_change(body.change, &to[at]);
+    to.resize(at + jump_values);
+    pack_jump(body.jump, &to[at]);
   }
   for (const PlanarSphere& sphere : body.spheres)
     for (const double value : {sphere.x, sphere.y, static_cast<double>(sphere.tag)})
@@ -78,7 +79,7 @@ const double* unpack_body(const double* from, PlanarBody& body) {
     *value = *from++;
   std::copy(from, from + 3, body.velocity);
   from += 3;
-  if (body.jumped) from = unpack_change(from, body.change);
+  if (body.jumped) from = unpack_jump(from, body.jump);
   for (PlanarSphere& sphere : body.spheres) {
     sphere = {from[0], from[1], static_cast<int>(from[2])};
     from += 3;

@@ -14,13 +14,13 @@ namespace rodpack {
 // an unpack function reads from `from`; both return where they have ended.
 
 /// Position, orientation and velocity of a body: what its ghosts need in every step.
-double* pack_kinematics(const PlanarKinematics& frame, double* to);
+double* pack_kinematics(const PlanarKinematics& kinematics, double* to);
 /// Sets all but the radius, which a message does not tell.
-const double* unpack_kinematics(const double* from, PlanarKinematics& frame);
+const double* unpack_kinematics(const double* from, PlanarKinematics& kinematics);
 
 /// What an event did to a body, if it let the acceleration jump.
-double* pack_change(const PlanarJump& change, double* to);
-const double* unpack_change(const double* from, PlanarJump& change);
+double* pack_jump(const PlanarJump& jump, double* to);
+const double* unpack_jump(const double* from, PlanarJump& jump);
 
 /// The largest number of doubles of a message of one step about so many bodies.
 std::size_t most_step_values(std::size_t bodies);

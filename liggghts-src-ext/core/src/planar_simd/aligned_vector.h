@@ -18,11 +18,11 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
   T* allocate(std::size_t count) {
-    void* place = nullptr;
-    if (posix_memalign(&place, 64, count * sizeof(T)) != 0) throw std::bad_alloc();
-    return static_cast<T*>(place);
+    void* memory = nullptr;
+    if (posix_memalign(&memory, 64, count * sizeof(T)) != 0) throw std::bad_alloc();
+    return static_cast<T*>(memory);
   }
-  void deallocate(T* place, std::size_t) { free(place); }
+  void deallocate(T* memory, std::size_t) { free(memory); }
   template <class U>
   bool operator==(const CacheLineAllocator<U>&) const {
     return true;

@@ -32,7 +32,7 @@ struct PlanarWallLine {
 };
 
 /// Arguments of the loops over blocks, which evaluate the contacts on the fast path.
-struct PlanarForces {
+struct PlanarForceArguments {
   // Blocks, their numbers (block_layout.h) and the indices of their constants.
   PlanarBlockHead* heads;
   double* values;
@@ -101,7 +101,7 @@ struct alignas(64) PlanarReferenceLanes {
 };
 
 /// Arguments of the loop that advances bodies by a step.
-struct PlanarAdvance {
+struct PlanarAdvanceArguments {
   PlanarRange bodies;  // `first` is a multiple of body_lanes
   int order;
   double dt;
@@ -121,9 +121,9 @@ struct PlanarAdvance {
 
 /// The SIMD loops for one set of processor instructions.
 struct PlanarKernel {
-  int (*pairs)(const PlanarForces&);     // returns the number of entries in `general`
-  int (*walls)(const PlanarForces&);     // the same
-  int (*advance)(const PlanarAdvance&);  // returns the number of entries in `to_list`
+  int (*pairs)(const PlanarForceArguments&);      // returns the number of entries in `general`
+  int (*walls)(const PlanarForceArguments&);      // the same
+  int (*advance)(const PlanarAdvanceArguments&);  // returns the number of entries in `to_list`
 };
 
 PlanarKernel planar_kernel_baseline();

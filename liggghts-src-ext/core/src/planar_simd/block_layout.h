@@ -39,7 +39,7 @@ enum PlanarBlockValue {
   planar_yj = 3 * planar_row,
   planar_gammas = 4 * planar_row,  // dashpots along the normal and the tangent, kg/s
   // The contact history: tangential spring (m), normal force before its cut-off at 0 (N), and the
-  // tangential velocities of the last steps (m/s), a ring buffer that turns by one in each step.
+  // tangential velocities of the last steps (m/s), a ring buffer that ages by one in each step.
   planar_spring = 5 * planar_row,
   planar_viscoelastic = 6 * planar_row,
   planar_velocities = 7 * planar_row

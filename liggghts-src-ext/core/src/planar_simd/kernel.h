@@ -21,7 +21,7 @@ constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
 typedef const double* const BlockConstants[lane_blocks];
 
 /// Values of the blocks from `first` on, which is a multiple of lane_blocks.
-inline double* values_of(const PlanarForces& forces, int first) {
+inline double* values_of(const PlanarForceArguments& forces, int first) {
   const long group = first / planar_group;
   return forces.values + group * forces.rows * planar_row + first % planar_group * planar_lanes;
 }
@@ -51,7 +51,7 @@ struct LaneForces {
 };
 
 /// Sets the constants of the contacts of the blocks from `first` on; the result is mu k_n.
-inline Lanes set_constants(int first, const double* values, const PlanarForces& forces,
+inline Lanes set_constants(int first, const double* values, const PlanarForceArguments& forces,
                            LastingContact<LaneContacts>& contact) {
   const double* gammas[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
@@ -73,7 +73,7 @@ inline Lanes set_constants(int first, const double* values, const PlanarForces& 
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
 /// step. `sliding`: lanes that slid; becomes those that do.
 inline LaneForces lasting_forces(int first, double* values, const LaneMotion& motion, int lasting,
-                                 int& sliding, const PlanarForces& forces) {
+                                 int& sliding, const PlanarForceArguments& forces) {
   const Lanes zero = all_lanes(0.0);
   LastingContact<LaneContacts> contact;
   const Lanes friction = set_constants(first, values, forces, contact);
@@ -135,7 +135,7 @@ inline void set_sliding(PlanarBlockHead* heads, int sliding) {
 }
 
 /// The lanes of blocks whose bodies had no event in the step before.
-inline int undisturbed(const PlanarBlockHead* heads, const PlanarForces& forces) {
+inline int undisturbed(const PlanarBlockHead* heads, const PlanarForceArguments& forces) {
   int lanes = (1 << lane_blocks * planar_lanes) - 1;
   if (!forces.jumped) return lanes;
   for (int b = 0; b < lane_blocks; ++b)
@@ -146,7 +146,8 @@ inline int undisturbed(const PlanarBlockHead* heads, const PlanarForces& forces)
 
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
 /// general path.
-inline __attribute__((always_inline)) int evaluate_blocks(int first, const PlanarForces& forces) {
+inline __attribute__((always_inline)) int evaluate_blocks(int first,
+                                                          const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
   const double *frame_i[lane_blocks], *frame_j[lane_blocks];
@@ -199,7 +200,8 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first, const Plana
 }
 
 /// Enters the blocks from `first` on that have such lanes.
-inline void enter_general(int first, int general, const PlanarForces& forces, int& entries) {
+inline void enter_general(int first, int general, const PlanarForceArguments& forces,
+                          int& entries) {
   for (int b = 0; general != 0; ++b, general >>= planar_lanes)
     if ((general & all_of_block) != 0)
       forces.general[entries++] = {first + b, general & all_of_block};
@@ -208,7 +210,7 @@ inline void enter_general(int first, int general, const PlanarForces& forces, in
 /// Lists where lane_blocks begin: all that touch, and those of the others in which spheres may have
 /// met: since they were listed both bodies together have moved by the gap. Without branches, as
 /// there is no telling which.
-inline int find_awake(const PlanarForces& forces) {
+inline int find_awake(const PlanarForceArguments& forces) {
   int count = 0;
   for (int first = forces.touching.first; first < forces.touching.end; first += lane_blocks)
     forces.awake[count++] = first;
@@ -225,7 +227,7 @@ inline int find_awake(const PlanarForces& forces) {
   return count;
 }
 
-int evaluate_pairs(const PlanarForces& forces) {
+int evaluate_pairs(const PlanarForceArguments& forces) {
   int entries = 0;
   const int count = find_awake(forces);
   for (int k = 0; k < count; ++k) {

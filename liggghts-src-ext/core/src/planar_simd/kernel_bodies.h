@@ -3,7 +3,7 @@
 
 /// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
 /// the general path.
-inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
+inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
   const double *frame[lane_blocks], *wall[lane_blocks];
@@ -51,7 +51,7 @@ inline int evaluate_wall_blocks(int first, const PlanarForces& forces) {
   return general | force.general;
 }
 
-int evaluate_walls(const PlanarForces& forces) {
+int evaluate_walls(const PlanarForceArguments& forces) {
   int entries = 0;
   for (const PlanarRange& range : {forces.touching, forces.others})
     for (int first = range.first; first < range.end; first += lane_blocks) {
@@ -63,7 +63,7 @@ int evaluate_walls(const PlanarForces& forces) {
 
 /// One multistep step of the velocity; returns the displacement over dt. `ahead`: becomes about the
 /// displacement in the steps that are looked ahead.
-inline Lanes advance_velocity(const PlanarAdvance& arguments, int body, Lanes& ahead) {
+inline Lanes advance_velocity(const PlanarAdvanceArguments& arguments, int body, Lanes& ahead) {
   const int order = arguments.order;
   if (arguments.evaluations[body] <= order) ++arguments.evaluations[body];
   const double* const of_force = arguments.force_weights[arguments.evaluations[body]];
@@ -116,7 +116,7 @@ inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {
 
 /// Moves the bodies as advance() in rigid_motion.h does in the plane, but turns cosine and sine by
 /// the increment of the angle; returns how many bodies it has entered to be listed anew.
-int advance(const PlanarAdvance& arguments) {
+int advance(const PlanarAdvanceArguments& arguments) {
   int entries = 0;
   for (int first = arguments.bodies.first; first < arguments.bodies.end; first += body_lanes) {
     // Bodies beyond the last repeat it.

@@ -44,7 +44,7 @@ struct PlanarSettings {
   int order = 3;  // 1..4
   /// Tangential velocities that a contact remembers, order .. 4; friction looks back up to three
   /// steps where there are so many.
-  int remembered = 3;
+  int slots = 3;
   bool events = true;  // correct for the events of contacts (force_change.h); ignored at order 1
   double gravity[2] = {0.0, 0.0};
   int types = 1;
@@ -86,7 +86,7 @@ struct PlanarBody {
   double missed_displacement[3] = {0.0, 0.0, 0.0};
   double missed_velocity[3] = {0.0, 0.0, 0.0};
   bool jumped = false;  // whether an event let its acceleration jump in the last step; then:
-  PlanarJump change = {};
+  PlanarJump jump = {};
 };
 
 /// A contact that was evaluated in the last step, and its history.
