@@ -31,8 +31,8 @@ struct FixWallGranSolid::Arguments {
     }
     const int place = side.find("bound");
     if (place < 0) return;
-    bound = side.word("bound", "lo or hi");
-    words.erase(words.begin() + place, words.begin() + place + 2);
+    bound = side.more() ? side.peek() : "nothing";
+    words.erase(words.begin() + place, words.begin() + std::min(place + 2, narg));
   }
 };
 

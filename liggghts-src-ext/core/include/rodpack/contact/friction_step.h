@@ -124,9 +124,8 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
     const double v = step.velocity[0][d];
     across = std::max(across, std::fabs(v - slip[0] * direction[d]));
     result.gain[d] = result.force[d] - (stands ? cap * direction[d] : stuck[d]);
-    // The force of spring and dashpot grows as that of velocity and acceleration.
-    const double acceleration = (v - step.velocity[1][d]) / step.dt;
-    result.gain_rate[d] = stands ? trial_force(step.stiffness, v, step.damping, acceleration) -
+    result.gain_rate[d] = stands ? spring_force(step.stiffness, v) -
+                                       step.damping * (v - step.velocity[1][d]) / step.dt -
                                        step.cap_rate * direction[d]
                                  : 0.0;
   }
