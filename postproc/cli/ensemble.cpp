@@ -10,6 +10,7 @@
 #include "ensemble/analyse_runs.h"
 #include "ensemble/case_mean.h"
 #include "ensemble/cases.h"
+#include "ensemble/ensemble_field.h"
 #include "ensemble/run_analysis.h"
 #include "reading/number_text.h"
 
@@ -77,6 +78,9 @@ void make_ensemble(const EnsembleOptions& options) {
   ensemble.notes = found.notes;
   for (const auto& one : found.cases) ensemble.cases.push_back(mean_over_case(one));
   write_ensemble(ensemble, out);
+  for (const auto& one : found.cases)
+    if (const auto field = mean_field(one))
+      write_ensemble_field(*field, (fs::path(out) / (one.name + "_fields.csv")).string());
   report(ensemble);
   std::cout << "written: " << out << "/ensemble.json and a table for each case and measure\n";
 }

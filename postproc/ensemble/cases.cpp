@@ -31,25 +31,56 @@ const std::set<std::string> not_of_the_case = {"format",
                                                "falling_skin_m",
                                                "settled_skin_m"};
 
+/// Takes in what finished runs there are; those that are missing are refused together, or noted.
+class Finished {
+ public:
+  explicit Finished(bool allow_missing) : allow_missing_(allow_missing) {}
+
+  /// Whether the run in `folder` has finished; `name` is for the note.
+  bool accepts(const fs::path& folder, const std::string& name) {
+    std::string reason;
+    if (!fs::is_directory(folder))
+      reason = "there is no such run";
+    else if (!fs::exists(folder / "result.json"))
+      reason = "the run has not finished (no result.json)";
+    if (reason.empty()) return true;
+    if (missing_++ == 0) first_ = folder.string() + ": " + reason;
+    notes_.push_back("left out: " + name + ", " + reason);
+    return false;
+  }
+
+  /// Returns the notes on what is missing. @throws DataError when nothing may be missing.
+  std::vector<std::string> notes() const {
+    if (missing_ > 0 && !allow_missing_)
+      throw DataError(first_ +
+                      (missing_ > 1 ? ", nor have " + std::to_string(missing_ - 1) + " other runs"
+                                    : std::string()) +
+                      "; expected finished runs, or --allow-missing to leave others out");
+    return notes_;
+  }
+
+ private:
+  bool allow_missing_;
+  int missing_ = 0;
+  std::string first_;
+  std::vector<std::string> notes_;
+};
+
+std::string relative_name(const fs::path& folder, const fs::path& relative_to) {
+  return fs::absolute(folder)
+      .lexically_normal()
+      .lexically_relative(fs::absolute(relative_to).lexically_normal())
+      .generic_string();
+}
+
 FinishedRun read_run(const fs::path& folder, const fs::path& relative_to) {
   FinishedRun run;
   run.folder = folder.string();
-  run.name = fs::absolute(folder)
-                 .lexically_normal()
-                 .lexically_relative(fs::absolute(relative_to).lexically_normal())
-                 .generic_string();
+  run.name = relative_name(folder, relative_to);
   const auto parameters = read_parameters((folder / "parameters.json").string());
   run.seed = static_cast<long>(parameters.number("seed"));
   run.parameters = parameters.values;
   return run;
-}
-
-// Says why the run cannot be used; empty when it can.
-std::string why_unusable(const fs::path& folder) {
-  if (!fs::is_directory(folder)) return "no such run folder, expected a finished run";
-  if (!fs::exists(folder / "result.json"))
-    return "has no result.json, expected a run that has finished";
-  return {};
 }
 
 // A key in which two sets of parameters differ, "friction is 0.4, expected 0.3"; empty when none.
@@ -113,19 +144,13 @@ void refuse_unnamed_differences(const StudyTable& table, const std::vector<CaseR
 FoundCases cases_of_study(const fs::path& study, const fs::path& relative_to, bool allow_missing) {
   const StudyTable table = read_study_table((study / "cases.json").string());
   FoundCases found;
+  Finished finished(allow_missing);
   for (const auto& planned : table.cases) {
     CaseRuns one;
     one.name = planned.name;
     for (const long seed : planned.seeds) {
       const fs::path folder = study / "runs" / planned.name / ("seed-" + std::to_string(seed));
-      const auto reason = why_unusable(folder);
-      if (!reason.empty()) {
-        if (!allow_missing)
-          throw DataError(folder.string() + ": " + reason + " (or --allow-missing)");
-        found.notes.push_back("left out: runs/" + planned.name + "/seed-" + std::to_string(seed) +
-                              " " + reason.substr(0, reason.find(',')));
-        continue;
-      }
+      if (!finished.accepts(folder, relative_name(folder, relative_to))) continue;
       one.runs.push_back(read_run(folder, relative_to));
       refuse_other_than_planned(planned, seed, one.runs.back());
     }
@@ -133,6 +158,7 @@ FoundCases cases_of_study(const fs::path& study, const fs::path& relative_to, bo
     finish_case(one);
     found.cases.push_back(std::move(one));
   }
+  found.notes = finished.notes();
   if (found.cases.empty())
     throw DataError(study.string() + ": none of its runs has finished, expected at least one");
   refuse_unnamed_differences(table, found.cases);
@@ -180,17 +206,12 @@ void tell_apart(std::vector<CaseRuns>& cases) {
 FoundCases cases_of_runs(const std::vector<std::string>& folders, const fs::path& relative_to,
                          bool allow_missing) {
   FoundCases found;
+  Finished finished(allow_missing);
   std::set<fs::path> seen;
   for (const auto& folder : folders)
     for (const auto& run : run_folders(folder)) {
       if (!seen.insert(fs::canonical(run)).second) continue;
-      const auto reason = why_unusable(run);
-      if (!reason.empty()) {
-        if (!allow_missing) throw DataError(run.string() + ": " + reason + " (or --allow-missing)");
-        found.notes.push_back("left out: " + read_run(run, relative_to).name + " " +
-                              reason.substr(0, reason.find(',')));
-        continue;
-      }
+      if (!finished.accepts(run, relative_name(run, relative_to))) continue;
       auto one = read_run(run, relative_to);
       const Json parameters = common_parameters(one.parameters);
       const auto same = std::find_if(found.cases.begin(), found.cases.end(),
@@ -200,6 +221,7 @@ FoundCases cases_of_runs(const std::vector<std::string>& folders, const fs::path
       else
         found.cases.push_back({case_name(parameters), parameters, {std::move(one)}});
     }
+  found.notes = finished.notes();
   if (found.cases.empty())
     throw DataError(folders.front() + ": none of its runs has finished, expected at least one");
   tell_apart(found.cases);

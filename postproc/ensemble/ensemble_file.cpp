@@ -80,6 +80,20 @@ EnsembleCase case_from(const std::string& name, const Json& json) {
   return one;
 }
 
+// Removes what an earlier call left in `folder`, so that no table of a case that is no more stays.
+void remove_tables_of_before(const fs::path& folder) {
+  std::ifstream in(folder / "ensemble.json");
+  const auto before = in ? Json::parse(in, nullptr, false) : Json();
+  if (!before.is_object() || !before.contains("cases") || !before["cases"].is_object()) return;
+  std::error_code ignored;
+  for (const auto& [name, one] : before["cases"].items()) {
+    if (name.find('/') != std::string::npos || !one.contains("curves")) continue;
+    for (const auto& table : one["curves"].items())
+      fs::remove(folder / (name + "_" + table.key() + ".csv"), ignored);
+    fs::remove(folder / (name + "_fields.csv"), ignored);
+  }
+}
+
 // One CSV table per measured table: the abscissa, then mean, standard error and n of each column.
 void write_tables(const EnsembleCase& one, const fs::path& folder) {
   std::map<std::string, std::vector<std::pair<std::string, std::vector<double>>>> tables;
@@ -131,12 +145,17 @@ void write_ensemble(const Ensemble& ensemble, const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");
+  remove_tables_of_before(folder);
   Json json = {{"format", format}, {"cases", Json::object()}, {"notes", ensemble.notes}};
   for (const auto& one : ensemble.cases) {
     json["cases"][one.name] = case_json(one);
     write_tables(one, folder);
   }
-  write_json((fs::path(folder) / "ensemble.json").string(), json);
+  // Whole or not at all, also when this is interrupted.
+  const fs::path file = fs::path(folder) / "ensemble.json", unfinished = file.string() + ".part";
+  write_json(unfinished.string(), json);
+  fs::rename(unfinished, file, error);
+  if (error) throw DataError(file.string() + ": cannot be written (" + error.message() + ")");
 }
 
 }  // namespace rodpack

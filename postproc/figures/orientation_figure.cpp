@@ -65,11 +65,14 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
     return points;
   };
   std::string sectors = "$sectors << EOD\n";
+  const auto add_sector = [&](double density, double from, double to) {
+    sectors += "0 0\n" + arc(density / outer, from, to, 8) + "0 0\n\n\n";
+  };
   for (std::size_t k = 0; k < distribution.density.size(); ++k)
-    sectors += "0 0\n" +
-               arc(distribution.density[k] / outer, distribution.centre[k] - width / 2,
-                   distribution.centre[k] + width / 2, 8) +
-               "0 0\n\n\n";
+    add_sector(distribution.density[k], distribution.centre[k] - (half && k == 0 ? 0 : width / 2),
+               distribution.centre[k] + width / 2);
+  // The bin of 0 degrees ends a half rose, too.
+  if (half) add_sector(distribution.density.front(), 180 - width / 2, 180);
   sectors += "EOD\n";
 
   std::string grid = "$grid << EOD\n";
