@@ -146,6 +146,11 @@ PrincipalStress principal_stress(double xx, double xy, double yx, double yy) {
   return {mean + radius, mean - radius, direction};
 }
 
+double anisotropy(const PrincipalStress& stress) {
+  const double sum = stress.larger + stress.smaller;
+  return sum > 0 ? (stress.larger - stress.smaller) / sum : 0;
+}
+
 void write_fields(const CoarseGraining& averages, const std::vector<Field>& fields, double time_s,
                   const std::string& stem) {
   write_text(stem + ".csv", csv_text(averages, fields));

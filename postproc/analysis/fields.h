@@ -73,6 +73,9 @@ struct PrincipalStress {
 /// Computes them from the components, N/m.
 PrincipalStress principal_stress(double xx, double xy, double yx, double yy);
 
+/// (larger - smaller) / (larger + smaller): 0 isotropic; 0 too without compression.
+double anisotropy(const PrincipalStress& stress);
+
 /// Writes `stem`.csv and `stem`.vti; `time_s`: s. @throws DataError when one cannot be written.
 void write_fields(const CoarseGraining& averages, const std::vector<Field>& fields, double time_s,
                   const std::string& stem);

@@ -61,7 +61,7 @@ void OrientationSample::add(const Packing& packing) {
   }
 }
 
-OrientationDistribution OrientationSample::distribution(int bins) const {
+OrientationDistribution OrientationSample::distribution(std::optional<int> bins) const {
   if (gamma_.empty())
     throw TooFewParticles("no particle to take the orientation of: " + std::to_string(spheres_) +
                           " spheres have no axis, " + std::to_string(near_walls_) +
@@ -74,16 +74,15 @@ OrientationDistribution OrientationSample::distribution(int bins) const {
   result.spheres = spheres_;
   result.nematic = nematic_order(gamma_);
 
-  const double width = result.range / bins;
+  const auto number = static_cast<std::size_t>(bins.value_or(result.curved ? 72 : 36));
+  const double width = result.range / static_cast<double>(number);
   const double n = static_cast<double>(gamma_.size());
-  result.count.assign(static_cast<std::size_t>(bins), 0);
-  for (const double gamma : gamma_) {
-    const auto bin = static_cast<std::size_t>(gamma / width);
-    result.count[std::min(bin, result.count.size() - 1)] += 1;
-  }
+  result.count.assign(number, 0);
+  for (const double gamma : gamma_)
+    result.count[static_cast<std::size_t>(gamma / width + 0.5) % number] += 1;
   for (std::size_t k = 0; k < result.count.size(); ++k) {
     const double p = result.count[k] / n;
-    result.centre.push_back((static_cast<double>(k) + 0.5) * width);
+    result.centre.push_back(static_cast<double>(k) * width);
     result.density.push_back(p / width);
     result.standard_error.push_back(std::sqrt(p * (1 - p) / n) / width);
   }

@@ -24,7 +24,8 @@ struct NematicOrder {
 /// Measures it. `gamma`: degrees, one per particle. @throws TooFewParticles when there is none.
 NematicOrder nematic_order(const std::vector<double>& gamma);
 
-/// Distribution of gamma over bins of equal width.
+/// Distribution of gamma over bins of equal width, centred on its multiples: 0, 5, 10 ... degrees.
+/// The first one goes half a width over either end of the range, which are one direction.
 struct OrientationDistribution {
   bool curved = false;
   double range = 180;                  // degrees; 360 for curved particles
@@ -44,9 +45,9 @@ class OrientationSample {
   /// Adds the particles of a frame. @throws DataError when straight and curved particles are mixed:
   /// their ranges differ.
   void add(const Packing& packing);
-  /// Returns the distribution over so many `bins` of the whole range. @throws TooFewParticles when
-  /// no particle is left to count.
-  OrientationDistribution distribution(int bins) const;
+  /// Returns the distribution over so many `bins` of the whole range; without a number, over bins 5
+  /// degrees wide. @throws TooFewParticles when no particle is left to count.
+  OrientationDistribution distribution(std::optional<int> bins = {}) const;
 
  private:
   std::vector<double> gamma_;

@@ -68,15 +68,14 @@ PressureProfile ProfileSample::result() const {
 }
 
 void write_profile_table(const PressureProfile& profile, const std::string& file) {
-  std::vector<double> depth, larger, smaller, direction, anisotropy;
+  std::vector<double> depth, larger, smaller, direction, anisotropies;
   for (std::size_t k = 0; k < profile.depth.size(); ++k) {
     const auto& principal = profile.principal[k];
     depth.push_back(profile.depth[k] / profile.particle_diameter);
     larger.push_back(principal.larger);
     smaller.push_back(principal.smaller);
     direction.push_back(principal.direction);
-    const double sum = principal.larger + principal.smaller;
-    anisotropy.push_back(sum > 0 ? (principal.larger - principal.smaller) / sum : 0);
+    anisotropies.push_back(anisotropy(principal));
   }
   write_csv(file, {{"h_over_dp", depth},
                    {"pressure_N_m", profile.pressure},
@@ -87,7 +86,7 @@ void write_profile_table(const PressureProfile& profile, const std::string& file
                    {"sigma_1_N_m", larger},
                    {"sigma_2_N_m", smaller},
                    {"sigma_1_direction_deg", direction},
-                   {"anisotropy", anisotropy},
+                   {"anisotropy", anisotropies},
                    {"solid_fraction", profile.solid_fraction}});
 }
 

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   cli::add_solid_fraction(app);
   cli::add_profile(app);
   cli::add_export(app);
+  cli::add_ensemble(app);
   cli::add_compare(app);
   cli::add_accuracy(app);
 

@@ -22,22 +22,27 @@ double largest(const OrientationDistribution& distribution) {
 void plot_orientation_linear(const OrientationDistribution& distribution, const std::string& stem) {
   const double width = distribution.range / static_cast<double>(distribution.centre.size());
   const std::string range = number_text(distribution.range);
+  // The first bin goes over either end of the range: it is drawn at both.
+  auto centre = distribution.centre, density = distribution.density;
+  auto error = distribution.standard_error;
+  centre.push_back(distribution.range);
+  density.push_back(density.front());
+  error.push_back(error.front());
   const std::string uniform = number_text(1 / distribution.range);
-  draw_figure(
-      stem, 1.4,
-      datablock("h", {distribution.centre, distribution.density, distribution.standard_error}) +
-          "set xlabel 'orientation {/:Italic γ} (°)'\n"
-          "set ylabel 'probability density (1/°)'\n"
-          "set xrange [0:" +
-          range + "]\n" + "set yrange [0:" + number_text(1.08 * largest(distribution)) + "]\n" +
-          "set xtics " + (distribution.curved ? "60" : "30") + "\n" + "set boxwidth " +
-          number_text(width) + "\n" +
-          "set key outside top right horizontal\n"
-          "plot $h using 1:2 with boxes linecolor '#8CBBD9', "
-          "$h using ($3 > 0 ? $1 : NaN):($2-$3):(0):(2*$3) with vectors heads size " +
-          number_text(width / 4) + ",90 linewidth 0.8 linecolor '" + colour::blue + "', " +
-          uniform + " with lines dashtype 2 linewidth 1 linecolor '" + colour::grey +
-          "' title 'isotropic'\n");
+  draw_figure(stem, 1.4,
+              datablock("h", {centre, density, error}) +
+                  "set xlabel 'orientation {/:Italic γ} (°)'\n"
+                  "set ylabel 'probability density (1/°)'\n"
+                  "set xrange [0:" +
+                  range + "]\n" + "set yrange [0:" + number_text(1.08 * largest(distribution)) +
+                  "]\n" + "set xtics " + (distribution.curved ? "60" : "30") + "\n" +
+                  "set boxwidth " + number_text(width) + "\n" +
+                  "set key outside top right horizontal\n"
+                  "plot $h using 1:2 with boxes linecolor '#8CBBD9', "
+                  "$h using ($3 > 0 ? $1 : NaN):($2-$3):(0):(2*$3) with vectors heads size " +
+                  number_text(width / 4) + ",90 linewidth 0.8 linecolor '" + colour::blue + "', " +
+                  uniform + " with lines dashtype 2 linewidth 1 linecolor '" + colour::grey +
+                  "' title 'isotropic'\n");
 }
 
 void plot_orientation_polar(const OrientationDistribution& distribution, const std::string& stem) {
@@ -60,11 +65,14 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
     return points;
   };
   std::string sectors = "$sectors << EOD\n";
+  const auto add_sector = [&](double density, double from, double to) {
+    sectors += "0 0\n" + arc(density / outer, from, to, 8) + "0 0\n\n\n";
+  };
   for (std::size_t k = 0; k < distribution.density.size(); ++k)
-    sectors += "0 0\n" +
-               arc(distribution.density[k] / outer, distribution.centre[k] - width / 2,
-                   distribution.centre[k] + width / 2, 8) +
-               "0 0\n\n\n";
+    add_sector(distribution.density[k], distribution.centre[k] - (half && k == 0 ? 0 : width / 2),
+               distribution.centre[k] + width / 2);
+  // The bin of 0 degrees ends a half rose, too.
+  if (half) add_sector(distribution.density.front(), 180 - width / 2, 180);
   sectors += "EOD\n";
 
   std::string grid = "$grid << EOD\n";

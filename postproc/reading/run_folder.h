@@ -7,6 +7,10 @@
 
 namespace rodpack {
 
+/// "format" of analysis/summary.json; the number rises when a table beside it changes its meaning,
+/// so that analyses of before are not mixed with later ones.
+constexpr const char* analysis_format = "rodpack-analysis 2";
+
 /// Dumps `run`/dumps/`kind`.*.dump, plain or .gz, in order of time. A run that was resumed may end
 /// earlier than the one that was interrupted had come: dumps after the step that `run`/result.json
 /// names as its end are of a course that the run did not take, and are left out.

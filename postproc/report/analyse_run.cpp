@@ -72,7 +72,7 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
 
   const double dt = parameters.values.contains("timestep_s") ? parameters.number("timestep_s") : 0;
   Json summary;
-  summary["format"] = "rodpack-analysis 1";
+  summary["format"] = analysis_format;
   summary["timestep"] = packing.timestep;
   if (dt > 0) summary["time_s"] = static_cast<double>(packing.timestep) * dt;
   summary["particles"] = packing.size();

@@ -28,8 +28,10 @@ using Json = nlohmann::ordered_json;
 void report_orientation(const Packing& packing, const fs::path& out, Json& summary) {
   OrientationSample sample;
   sample.add(packing);
+  auto distribution = sample.distribution();
   // Few particles in narrow bins would show their noise only.
-  const auto distribution = sample.distribution(packing.size() < 1000 ? 18 : 36);
+  if (packing.size() < 1000)
+    distribution = sample.distribution(static_cast<int>(distribution.centre.size() / 2));
   write_orientation_table(distribution, (out / "orientation.csv").string());
   plot_orientation_linear(distribution, (out / "orientation").string());
   plot_orientation_polar(distribution, (out / "orientation_polar").string());

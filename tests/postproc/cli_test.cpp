@@ -115,7 +115,7 @@ TEST(Orientation, WritesTableAndFigures) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto table = rodpack::test::read_table(folder / "gamma.csv");
   EXPECT_THAT(content(folder / "gamma.csv"),
-              HasSubstr("gamma_deg,count,probability_density_per_deg,standard_error_per_deg\n5,"));
+              HasSubstr("gamma_deg,count,probability_density_per_deg,standard_error_per_deg\n0,"));
   EXPECT_EQ(table.rows(), 18U);
   double integral = 0;
   for (const double density : table.column("probability_density_per_deg")) integral += 10 * density;

@@ -95,12 +95,12 @@ TEST(OrientationSample, ParticlesCloserThanAnAxialLengthToAWallAreLeftOut) {
 
 TEST(OrientationSample, DensityIntegratesToOneAndErrorIsBinomial) {
   auto packing = empty_packing();
-  for (int i = 0; i < 30; ++i) add_rod(packing, 10, 10, 10);   // bin 0 of [0, 45)
+  for (int i = 0; i < 30; ++i) add_rod(packing, 10, 10, 10);   // bin 0, [-22.5, 22.5)
   for (int i = 0; i < 10; ++i) add_rod(packing, 10, 10, 270);  // folds to 90: bin 2
   OrientationSample sample;
   sample.add(packing);
   const auto result = sample.distribution(4);
-  EXPECT_THAT(result.centre, testing::ElementsAre(22.5, 67.5, 112.5, 157.5));
+  EXPECT_THAT(result.centre, testing::ElementsAre(0, 45, 90, 135));
   EXPECT_THAT(result.count, testing::ElementsAre(30, 0, 10, 0));
   const double integral = std::accumulate(result.density.begin(), result.density.end(), 0.0) * 45;
   EXPECT_NEAR(integral, 1, 1e-12);
@@ -117,6 +117,29 @@ TEST(OrientationSample, CurvedParticlesKeepTheirDirection) {
   const auto result = sample.distribution(4);
   EXPECT_EQ(result.range, 360);
   EXPECT_THAT(result.count, testing::ElementsAre(1, 0, 1, 0));
+}
+
+// Figures 3 and 7 of the paper: bins centred on 0, 5, 10 ... degrees. What lies half a width or
+// less below the end of the range is in the bin of 0, since both are one direction.
+TEST(OrientationSample, BinsAreCentredOnMultiplesOfFiveDegreesAndWrapAround) {
+  for (const bool curved : {false, true}) {
+    auto packing = empty_packing();
+    const double range = curved ? 360 : 180;
+    for (const double gamma : {0.0, 2.4, range - 2.4, range - 2.6, 2.6, 87.6, 92.4})
+      add_rod(packing, 10, 10, gamma, curved ? 1.0 : 0.0);
+    OrientationSample sample;
+    sample.add(packing);
+    const auto result = sample.distribution();
+    ASSERT_EQ(result.centre.size(), curved ? 72U : 36U);
+    std::vector<double> expected(result.centre.size(), 0);
+    expected[0] = 3;
+    expected.back() = 1;
+    expected[1] = 1;
+    expected[18] = 2;
+    EXPECT_EQ(result.count, expected);
+    for (std::size_t k = 0; k < result.centre.size(); ++k)
+      EXPECT_EQ(result.centre[k], 5.0 * static_cast<double>(k));
+  }
 }
 
 TEST(OrientationSample, MixedOrMissingParticlesAreErrors) {

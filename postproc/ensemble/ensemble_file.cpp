@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <set>
+
+#include "ensemble/ensemble.h"
+#include "reading/csv_file.h"
+#include "reading/data_error.h"
+#include "reading/json_file.h"
+
+namespace rodpack {
+namespace {
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format = "rodpack-ensemble 1";
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+// Keys of a case that are not numbers of it.
+const std::set<std::string> other_keys = {"parameters", "runs", "seeds", "curves"};
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number_or_null(const std::optional<double>& value) {
+  return number_or_null(value.value_or(none));
+}
+
+Json mean_json(const EnsembleMean& mean) {
+  return {{"mean", number_or_null(mean.mean)}, {"sem", number_or_null(mean.sem)}, {"n", mean.n}};
+}
+
+Json curve_json(const EnsembleCurve& curve) {
+  Json mean = Json::array(), sem = Json::array(), n = Json::array();
+  for (const auto& y : curve.y) {
+    mean.push_back(number_or_null(y.mean));
+    sem.push_back(number_or_null(y.sem));
+    n.push_back(y.n);
+  }
+  return {{"abscissa", curve.abscissa}, {"x", curve.x}, {"mean", mean}, {"sem", sem}, {"n", n}};
+}
+
+Json case_json(const EnsembleCase& one) {
+  Json json = {{"parameters", one.parameters}, {"runs", one.runs}, {"seeds", one.seeds}};
+  for (const auto& [name, mean] : one.numbers) json[name] = mean_json(mean);
+  json["curves"] = Json::object();
+  for (const auto& [name, curve] : one.curves) {
+    const auto dot = name.find('.');
+    json["curves"][name.substr(0, dot)][name.substr(dot + 1)] = curve_json(curve);
+  }
+  return json;
+}
+
+double number_or_nan(const Json& json) { return json.is_null() ? none : json.get<double>(); }
+
+EnsembleMean mean_from(const Json& mean, const Json& sem, const Json& n) {
+  EnsembleMean result{number_or_nan(mean), std::nullopt, n.get<int>()};
+  if (!sem.is_null()) result.sem = sem.get<double>();
+  return result;
+}
+
+EnsembleCurve curve_from(const Json& json) {
+  EnsembleCurve curve{json.at("abscissa"), json.at("x").get<std::vector<double>>(), {}};
+  for (std::size_t k = 0; k < curve.x.size(); ++k)
+    curve.y.push_back(mean_from(json.at("mean").at(k), json.at("sem").at(k), json.at("n").at(k)));
+  return curve;
+}
+
+EnsembleCase case_from(const std::string& name, const Json& json) {
+  EnsembleCase one;
+  one.name = name;
+  one.parameters = json.at("parameters");
+  one.runs = json.at("runs").get<std::vector<std::string>>();
+  one.seeds = json.at("seeds").get<std::vector<long>>();
+  for (const auto& [key, value] : json.items())
+    if (!other_keys.count(key))
+      one.numbers[key] = mean_from(value.at("mean"), value.at("sem"), value.at("n"));
+  for (const auto& [table, columns] : json.at("curves").items())
+    for (const auto& [column, curve] : columns.items())
+      one.curves[table + "." + column] = curve_from(curve);
+  return one;
+}
+
+// Removes what an earlier call left in `folder`, so that no table of a case that is no more stays.
+void remove_tables_of_before(const fs::path& folder) {
+  std::ifstream in(folder / "ensemble.json");
+  const auto before = in ? Json::parse(in, nullptr, false) : Json();
+  if (!before.is_object() || !before.contains("cases") || !before["cases"].is_object()) return;
+  std::error_code ignored;
+  for (const auto& [name, one] : before["cases"].items()) {
+    if (name.find('/') != std::string::npos || !one.contains("curves")) continue;
+    for (const auto& table : one["curves"].items())
+      fs::remove(folder / (name + "_" + table.key() + ".csv"), ignored);
+    fs::remove(folder / (name + "_fields.csv"), ignored);
+  }
+}
+
+// One CSV table per measured table: the abscissa, then mean, standard error and n of each column.
+void write_tables(const EnsembleCase& one, const fs::path& folder) {
+  std::map<std::string, std::vector<std::pair<std::string, std::vector<double>>>> tables;
+  for (const auto& [name, curve] : one.curves) {
+    const auto dot = name.find('.');
+    const std::string column = name.substr(dot + 1);
+    auto& table = tables[name.substr(0, dot)];
+    if (table.empty()) table.emplace_back(curve.abscissa, curve.x);
+    std::vector<double> mean, sem, n;
+    for (const auto& y : curve.y) {
+      mean.push_back(y.mean);
+      sem.push_back(y.sem.value_or(none));
+      n.push_back(y.n);
+    }
+    table.emplace_back(column, std::move(mean));
+    table.emplace_back(column + "_sem", std::move(sem));
+    table.emplace_back(column + "_n", std::move(n));
+  }
+  for (const auto& [name, columns] : tables)
+    write_csv((folder / (one.name + "_" + name + ".csv")).string(), columns);
+}
+
+}  // namespace
+
+const EnsembleCase* case_named(const Ensemble& ensemble, const std::string& name) {
+  for (const auto& one : ensemble.cases)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+Ensemble read_ensemble(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw DataError(file + ": no such file, or it cannot be read");
+  const auto json = Json::parse(in, nullptr, false);
+  if (!json.is_object() || json.value("format", Json()) != format)
+    throw DataError(file + ": expected a JSON object with \"format\": \"" + format + "\"");
+  Ensemble ensemble;
+  try {
+    for (const auto& [name, one] : json.at("cases").items())
+      ensemble.cases.push_back(case_from(name, one));
+    ensemble.notes = json.at("notes").get<std::vector<std::string>>();
+  } catch (const nlohmann::json::exception& reason) {
+    throw DataError(file + ": is not as `rodpack ensemble` writes it: " + reason.what());
+  }
+  return ensemble;
+}
+
+void write_ensemble(const Ensemble& ensemble, const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");
+  remove_tables_of_before(folder);
+  Json json = {{"format", format}, {"cases", Json::object()}, {"notes", ensemble.notes}};
+  for (const auto& one : ensemble.cases) {
+    json["cases"][one.name] = case_json(one);
+    write_tables(one, folder);
+  }
+  // Whole or not at all, also when this is interrupted.
+  const fs::path file = fs::path(folder) / "ensemble.json", unfinished = file.string() + ".part";
+  write_json(unfinished.string(), json);
+  fs::rename(unfinished, file, error);
+  if (error) throw DataError(file.string() + ": cannot be written (" + error.message() + ")");
+}
+
+}  // namespace rodpack

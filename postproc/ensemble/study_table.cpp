@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "ensemble/study_table.h"
+
+#include <fstream>
+#include <set>
+
+#include "ensemble/cases.h"
+#include "reading/data_error.h"
+
+namespace rodpack {
+namespace {
+using Json = nlohmann::json;
+
+constexpr const char* format = "rodpack-study 1";
+
+}  // namespace
+
+StudyTable read_study_table(const std::string& file) {
+  std::ifstream in(file);
+  const auto json = Json::parse(in, nullptr, false);
+  if (!json.is_object() || json.value("format", Json()) != format)
+    throw DataError(file + ": expected a JSON object with \"format\": \"" + format + "\"");
+  StudyTable table;
+  table.file = file;
+  try {
+    table.columns = json.value("columns", std::vector<std::string>());
+    for (const auto& [name, one] : json.at("cases").items()) {
+      if (name.empty() || name.find('/') != std::string::npos || name[0] == '.')
+        throw DataError(file + ": case '" + name +
+                        "', expected a name that can be that of a folder");
+      table.cases.push_back({name, one.at("seeds").get<std::vector<long>>(),
+                             one.value("parameters", Json::object())});
+    }
+  } catch (const Json::exception& reason) {
+    throw DataError(file + ": is not as the workflow of a study writes it: " + reason.what());
+  }
+  return table;
+}
+
+bool is_deck_parameter(const std::string& key, const std::string& name) {
+  static const std::set<std::string> units = {"_deg", "_m",    "_kg_m3", "_N_m",
+                                              "_m_s", "_m_s2", "_s"};
+  return key == name ||
+         (key.compare(0, name.size(), name) == 0 && units.count(key.substr(name.size())) > 0);
+}
+
+void refuse_other_than_planned(const PlannedCase& planned, long seed, const FinishedRun& run) {
+  if (run.seed != seed)
+    throw DataError(run.folder + ": seed is " + std::to_string(run.seed) + ", expected " +
+                    std::to_string(seed) + " by the name of the folder");
+  for (const auto& [name, value] : planned.parameters.items())
+    for (const auto& [key, found] : run.parameters.items())
+      if (is_deck_parameter(key, name) && found != value)
+        throw DataError(run.folder + ": " + key + " is " + found.dump() + ", expected " +
+                        value.dump() + " as the study's cases.json has for case " + planned.name);
+}
+
+}  // namespace rodpack
