@@ -77,10 +77,12 @@ void FixMultisphereAB::sum_changes() {
 
 SpatialJump FixMultisphereAB::correct_planar(int body, const BodyChange& sum) {
   const rodpack::PlanarCorrection<double> correction = {mass_(body), moment_about_z(body)};
-  const SpatialJump jump = rodpack::to_space(correction.missed(sum));
+  const rodpack::PlanarBodyChange in_plane = rodpack::in_plane(sum);
+  const SpatialJump jump = rodpack::to_space(correction.missed(in_plane));
   keep_missed_motion(body, jump, sum.torque.impulse);
   if (evaluations_->get(body) == 0) return jump;  // no past yet
-  for (int k = 1; k < order_; ++k) *planar_record(body, k) += correction.past(sum, k * update->dt);
+  for (int k = 1; k < order_; ++k)
+    *planar_record(body, k) += correction.past(in_plane, k * update->dt);
   return jump;
 }
 

@@ -61,9 +61,8 @@ TEST(EventCorrection, AWallGetsNoShare) {
 // next step of order 2 to 4 ends exactly at F (s + dt) / m and F (s + dt)^2 / 2m.
 TEST(EventCorrection, TheNextStepIsThatOfAForceThatWasKnownAllTheTime) {
   const double mass = 0.7, moment = 0.03, s = 0.4e-2, dt = 1e-2;
-  BodyChange change;
-  change.force = constant_force(2, -3, 0, s);
-  change.torque = constant_force(0, 0, 0.5, s);
+  const PlanarBodyChange change =
+      in_plane(BodyChange{constant_force(2, -3, 0, s), constant_force(0, 0, 0.5, s)});
   const PlanarCorrection<double> correction = {mass, moment};
   const PlanarJump missed = correction.missed(change);
   const double acceleration[3] = {2 / mass, -3 / mass, 0.5 / moment};
@@ -100,9 +99,9 @@ TEST(EventCorrection, TheNextStepIsThatOfAForceThatWasKnownAllTheTime) {
 
 // The engine keeps 1/m.
 TEST(EventCorrection, AKnownInverseDividesAsTheNumberDoes) {
-  BodyChange change;
-  change.force = linear_change({2, -3, 0}, {50, 9, 0}, 0.01);
-  change.torque = linear_change({0, 0, 0.4}, {0, 0, -7}, 0.01);
+  PlanarBodyChange change;
+  change.force = linear_change({2, -3}, {50, 9}, 0.01);
+  change.torque = linear_change({0.4}, {-7}, 0.01);
   const PlanarCorrection<double> direct = {0.7, 0.03};
   const PlanarCorrection<KnownInverse<double>> inverse = {{1 / 0.7}, {1 / 0.03}};
   const PlanarRates a = direct.past(change, 0.02), b = inverse.past(change, 0.02);
@@ -164,7 +163,7 @@ TEST(EventCorrection, PlanarMotionIsMotionInSpace) {
   SpatialCorrection spatial = {0.7, {0.02, 0.05, 0.03}, {1, 0, 0, 0}};
   rotate_about_z(0.8, spatial.quaternion);
   const PlanarCorrection<double> planar = {0.7, 0.03};
-  const SpatialJump a = spatial.missed(change), b = to_space(planar.missed(change));
+  const SpatialJump a = spatial.missed(change), b = to_space(planar.missed(in_plane(change)));
   for (int d = 0; d < 3; ++d) {
     EXPECT_NEAR(a.acceleration[d], b.acceleration[d], 1e-14);
     EXPECT_NEAR(a.angular_acceleration[d], b.angular_acceleration[d], 1e-13);
@@ -172,7 +171,8 @@ TEST(EventCorrection, PlanarMotionIsMotionInSpace) {
     EXPECT_NEAR(a.rotation[d], b.rotation[d], 1e-17);
   }
   const PlanarJump back = to_plane(b);
-  for (int d = 0; d < 3; ++d) EXPECT_EQ(back.velocity[d], planar.missed(change).velocity[d]);
+  for (int d = 0; d < 3; ++d)
+    EXPECT_EQ(back.velocity[d], planar.missed(in_plane(change)).velocity[d]);
 }
 
 // A body that turns about its centre at the rate w: a point at the arm r has gained w x r.

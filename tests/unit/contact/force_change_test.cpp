@@ -78,14 +78,30 @@ TEST(ForceChange, TorqueFollowsAMovingLever) {
 TEST(ForceChange, PlanarTorqueIsTheSpatialOne) {
   const double lever[3] = {0.3, -0.2, 0}, lever_rate[3] = {-2, 5, 0};
   const ForceChange force = linear_change({1.5, 0.7, 0}, {-20, 11, 0}, 0.03);
-  const ForceChange spatial = torque_change(lever, lever_rate, force);
-  const ForceChange planar = planar_torque_change(lever, lever_rate, force);
-  for (const auto part : {&ForceChange::now, &ForceChange::rate, &ForceChange::impulse,
-                          &ForceChange::impulse_integral}) {
-    EXPECT_NEAR((planar.*part)[2], (spatial.*part)[2], 1e-15 * std::fabs((spatial.*part)[2]));
-    EXPECT_NE((planar.*part)[2], 0);
-    for (int d = 0; d < 2; ++d) EXPECT_EQ((planar.*part)[d], 0);
+  const PlanarTorqueChange spatial = about_z(torque_change(lever, lever_rate, force));
+  const PlanarTorqueChange planar = torque_change({0.3, -0.2}, {-2, 5}, in_plane(force));
+  for (const auto part : {&PlanarTorqueChange::now, &PlanarTorqueChange::rate,
+                          &PlanarTorqueChange::impulse, &PlanarTorqueChange::impulse_integral}) {
+    EXPECT_NEAR((planar.*part)[0], (spatial.*part)[0], 1e-15 * std::fabs((spatial.*part)[0]));
+    EXPECT_NE((planar.*part)[0], 0);
   }
+}
+
+// Of a force the plane has x and y, of a torque z.
+TEST(ForceChange, ThePlaneTakesItsComponents) {
+  const ForceChange change = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}};
+  const PlanarForceChange force = in_plane(change);
+  const PlanarTorqueChange torque = about_z(change);
+  for (int d : {0, 1}) {
+    EXPECT_EQ(force.now[d], 1 + d);
+    EXPECT_EQ(force.rate[d], 4 + d);
+    EXPECT_EQ(force.impulse[d], 7 + d);
+    EXPECT_EQ(force.impulse_integral[d], 10 + d);
+  }
+  EXPECT_EQ(torque.now[0], 3);
+  EXPECT_EQ(torque.rate[0], 6);
+  EXPECT_EQ(torque.impulse[0], 9);
+  EXPECT_EQ(torque.impulse_integral[0], 12);
 }
 
 // The velocity has jumped by v, the acceleration by a and the position by x, and a step has gone by

@@ -65,9 +65,8 @@ TEST(PlanarEvents, TouchChangesForceAndTorqueOfBothBodies) {
     EXPECT_NEAR(change.sum.force.impulse[1], sign * impulse, 1e-9 * impulse);
     EXPECT_NEAR(change.sum.force.now[1], sign * (k * w * s + c * w), 1e-9 * c * w);
     EXPECT_EQ(change.sum.force.impulse[0], 0);
-    EXPECT_NEAR(change.sum.torque.impulse[2], sign * arm * impulse, 1e-9 * arm * impulse);
-    EXPECT_NEAR(change.sum.torque.rate[2], sign * arm * k * w, 1e-9 * arm * k * w);
-    for (int d : {0, 1}) EXPECT_EQ(change.sum.torque.impulse[d], 0);
+    EXPECT_NEAR(change.sum.torque.impulse[0], sign * arm * impulse, 1e-9 * arm * impulse);
+    EXPECT_NEAR(change.sum.torque.rate[0], sign * arm * k * w, 1e-9 * arm * k * w);
   }
   events.forget_changes(0);
   EXPECT_TRUE(events.changes(0).empty());
@@ -100,15 +99,15 @@ TEST(PlanarEvents, TheArmOfABodyThatSpinsTurns) {
     const double lever[2] = {arm, -side * r};
     const double lever_rate[2] = {-side * r * slip / distance,
                                   (part == 0 ? spin * arm : 0.0) - side * vn / 2};
-    const ForceChange& torque = only_change(events, part).sum.torque;
+    const PlanarTorqueChange& torque = only_change(events, part).sum.torque;
     const auto expect = [&](double value, double expected) {
       EXPECT_NEAR(value, side * expected, 1e-12 * std::fabs(expected));
     };
-    expect(torque.now[2], product(lever, change.now));
-    expect(torque.rate[2], product(lever, change.rate) + product(lever_rate, change.now));
-    expect(torque.impulse[2],
+    expect(torque.now[0], product(lever, change.now));
+    expect(torque.rate[0], product(lever, change.rate) + product(lever_rate, change.now));
+    expect(torque.impulse[0],
            product(lever, change.impulse) - product(lever_rate, change.impulse_integral));
-    expect(torque.impulse_integral[2], product(lever, change.impulse_integral));
+    expect(torque.impulse_integral[0], product(lever, change.impulse_integral));
   }
 }
 
@@ -127,7 +126,7 @@ TEST(PlanarEvents, ChangesOfABodyAddUp) {
   EXPECT_DOUBLE_EQ(sum.sum.force.now[0], 4);
   EXPECT_DOUBLE_EQ(sum.sum.force.impulse[1], 6e-6);
   // lever (0, -(R - delta/2)) x (4, 6) = (R - delta/2) 4
-  EXPECT_NEAR(sum.sum.torque.now[2], 4 * 0.95 * radius, 1e-15);
+  EXPECT_NEAR(sum.sum.torque.now[0], 4 * 0.95 * radius, 1e-15);
   EXPECT_TRUE(events.changes(1).empty());
 }
 

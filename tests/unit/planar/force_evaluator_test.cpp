@@ -132,9 +132,11 @@ void expect_same_lanes(const PlanarBlockPool& a, const PlanarBlockPool& b, Branc
     }
 }
 
-void expect_same_change(const ForceChange& a, const ForceChange& b, double scale) {
+template <int components>
+void expect_same_change(const ChangeOf<components>& a, const ChangeOf<components>& b,
+                        double scale) {
   const double dt = paper_step;
-  for (int d = 0; d < 3; ++d) {
+  for (int d = 0; d < components; ++d) {
     expect_near(a.now[d], b.now[d], scale, "change");
     expect_near(a.rate[d], b.rate[d], scale / dt, "rate");
     expect_near(a.impulse[d], b.impulse[d], scale * dt, "impulse");

@@ -18,7 +18,7 @@ class PlanarEvents {
   /// A body some of whose contacts changed their forces in a step.
   struct ChangedBody {
     int body;
-    BodyChange sum;
+    PlanarBodyChange sum;
     bool jumps;
   };
 
@@ -32,15 +32,19 @@ class PlanarEvents {
   }
 
   void add(const PlanarContact& contact, const ForceChange& on_i, bool jumps) {
-    share_change(contact, on_i,
-                 [&](int side, const ForceChange& force, double(&lever)[3], double(&rate)[3]) {
-                   if (side > 0)
-                     add_to(contact.body_i, contact.arm_i, contact.v_i, contact.body_v_i, force,
-                            lever, rate, jumps);
-                   else
-                     add_to(contact.body_j, contact.arm_j, contact.v_j, contact.body_v_j, force,
-                            lever, rate, jumps);
-                 });
+    add(contact, in_plane(on_i), jumps);
+  }
+  void add(const PlanarContact& contact, const PlanarForceChange& on_i, bool jumps) {
+    share_change(
+        contact, on_i,
+        [&](int side, const PlanarForceChange& force, double(&lever)[2], double(&rate)[2]) {
+          if (side > 0)
+            add_to(contact.body_i, contact.arm_i, contact.v_i, contact.body_v_i, force, lever, rate,
+                   jumps);
+          else
+            add_to(contact.body_j, contact.arm_j, contact.v_j, contact.body_v_j, force, lever, rate,
+                   jumps);
+        });
   }
 
   bool motion_changed(const PlanarContact& contact, ContactJump& jump) const {
@@ -83,19 +87,19 @@ class PlanarEvents {
  private:
   /// `lever` leads from the centre of the sphere, `arm` there from that of the body.
   void add_to(int body, const double (&arm)[3], const double (&v)[3], const double (&body_v)[3],
-              const ForceChange& force, double (&lever)[3], double (&rate)[3], bool jumps) {
-    for (int d = 0; d < 3; ++d) {
+              const PlanarForceChange& force, double (&lever)[2], double (&rate)[2], bool jumps) {
+    for (int d = 0; d < 2; ++d) {
       lever[d] += arm[d];
       rate[d] += v[d] - body_v[d];
     }
     std::vector<ChangedBody>& of_part = changes_[parts_.of(body)];
     if (index_[body] < 0) {
       index_[body] = static_cast<int>(of_part.size());
-      of_part.push_back(ChangedBody{body, BodyChange(), false});
+      of_part.push_back(ChangedBody{body, PlanarBodyChange(), false});
     }
     ChangedBody& change = of_part[index_[body]];
     change.sum.force += force;
-    change.sum.torque += planar_torque_change(lever, rate, force);
+    change.sum.torque += torque_change(lever, rate, force);
     change.jumps = change.jumps || jumps;
   }
 

@@ -10,18 +10,18 @@ namespace rodpack {
 namespace {
 
 /// The change of the force for what the dashpots, as far as they act, did not know of such jumps.
-ForceChange change_of_dashpots(const PlanarContact& contact, const ContactJumpComponent& normal,
-                               const ContactJumpComponent& tangential, bool pushes, bool slides,
-                               double dt) {
+PlanarForceChange change_of_dashpots(const PlanarContact& contact,
+                                     const ContactJumpComponent& normal,
+                                     const ContactJumpComponent& tangential, bool pushes,
+                                     bool slides, double dt) {
   const double gamma_n = pushes ? contact.gamman : 0.0, gamma_t = slides ? 0.0 : contact.gammat;
-  const auto force = [&](double along_normal, double along_tangent, double(&result)[3]) {
+  const auto force = [&](double along_normal, double along_tangent, double(&result)[2]) {
     const Vector2<double> vector =
         in_space(contact.normal(), gamma_n * along_normal, gamma_t * along_tangent);
     result[0] = vector.x;
     result[1] = vector.y;
-    result[2] = 0.0;
   };
-  double of_acceleration[3], of_velocity[3], of_displacement[3];
+  double of_acceleration[2], of_velocity[2], of_displacement[2];
   force(normal.acceleration, tangential.acceleration, of_acceleration);
   force(normal.velocity, tangential.velocity, of_velocity);
   force(normal.displacement, tangential.displacement, of_displacement);

@@ -53,10 +53,12 @@ inline bool touched_in_step(const Contact& contact, double dt) {
   return contact.vn < 0.0 && contact.deltan < -1.5 * dt * contact.vn;
 }
 
+// Of what follows, a vector of two components is the part in the plane of x and y.
+
 /// Rate at which the normal of a contact turns, 1/s; that of a wall does not.
-template <class Contact>
-inline void normal_turning_rate(const Contact& contact, double (&rate)[3]) {
-  for (int d = 0; d < 3; ++d)
+template <class Contact, int components>
+inline void normal_turning_rate(const Contact& contact, double (&rate)[components]) {
+  for (int d = 0; d < components; ++d)
     rate[d] = contact.is_wall
                   ? 0.0
                   : (contact.v_i[d] - contact.v_j[d] - contact.vn * contact.en[d]) * contact.rinv;
@@ -70,19 +72,19 @@ inline double length_of_lever(const Contact& contact, double side) {
 }
 
 /// Lever from that centre to the contact.
-template <class Contact>
-inline void lever_of(const Contact& contact, double side, double (&lever)[3]) {
+template <class Contact, int components>
+inline void lever_of(const Contact& contact, double side, double (&lever)[components]) {
   const double length = side * length_of_lever(contact, side);
-  for (int d = 0; d < 3; ++d) lever[d] = lever_component(0.0, length, contact.en[d]);
+  for (int d = 0; d < components; ++d) lever[d] = lever_component(0.0, length, contact.en[d]);
 }
 
 /// The same and its rate: the overlap changes its length, and the normal turns by `turn`.
-template <class Contact>
-inline void contact_lever(const Contact& contact, const double (&turn)[3], double side,
-                          double (&lever)[3], double (&rate)[3]) {
+template <class Contact, int components>
+inline void contact_lever(const Contact& contact, const double (&turn)[components], double side,
+                          double (&lever)[components], double (&rate)[components]) {
   const double length = length_of_lever(contact, side);
   lever_of(contact, side, lever);
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < components; ++d)
     rate[d] = -side * (0.5 * contact.vn * contact.en[d] + length * turn[d]);
 }
 

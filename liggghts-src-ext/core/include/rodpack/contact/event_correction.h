@@ -28,15 +28,15 @@ inline ForceChange change_in_space(const Contact& contact, const double (&now)[3
 
 /// Gives both sides of a contact their part of the change of the force on i: calls add(side, force,
 /// lever, lever_rate) with side 1 for i and -1 for j, the change of the force on that side, and the
-/// lever from the centre of its sphere. A wall gets none.
-template <class Contact, class Add>
-inline void share_change(const Contact& contact, const ForceChange& on_i, Add add) {
-  double turn[3], lever[3], rate[3];
+/// lever from the centre of its sphere; all with as many components as `on_i`. A wall gets none.
+template <class Contact, int components, class Add>
+inline void share_change(const Contact& contact, const ChangeOf<components>& on_i, Add add) {
+  double turn[components], lever[components], rate[components];
   normal_turning_rate(contact, turn);
   contact_lever(contact, turn, 1.0, lever, rate);
   add(1, on_i, lever, rate);
   if (contact.is_wall) return;
-  ForceChange on_j = on_i;
+  ChangeOf<components> on_j = on_i;
   on_j *= -1.0;
   contact_lever(contact, turn, -1.0, lever, rate);
   add(-1, on_j, lever, rate);
@@ -46,6 +46,15 @@ inline void share_change(const Contact& contact, const ForceChange& on_i, Add ad
 struct BodyChange {
   ForceChange force, torque;  // torque about the centre of mass
 };
+
+/// The same of a body in planar motion, of which the rest of them changes nothing.
+struct PlanarBodyChange {
+  PlanarForceChange force;
+  PlanarTorqueChange torque;
+};
+inline PlanarBodyChange in_plane(const BodyChange& change) {
+  return {in_plane(change.force), about_z(change.torque)};
+}
 
 // ---- what it does to a body
 
@@ -75,27 +84,25 @@ struct PlanarCorrection {
 
   /// What the motion of the last step has missed: displacement and velocity are still to be added
   /// to those of the body, whose orientation is to be set.
-  PlanarJump missed(const BodyChange& change) const {
+  PlanarJump missed(const PlanarBodyChange& change) const {
     PlanarJump result = {};
-    for (int d = 0; d < 3; ++d) {
-      result.acceleration[d] = divided(change, d, [d](const ForceChange& c) { return c.now[d]; });
-      result.velocity[d] = divided(change, d, [d](const ForceChange& c) { return c.impulse[d]; });
-      result.displacement[d] =
-          divided(change, d, [d](const ForceChange& c) { return c.impulse_integral[d]; });
-    }
+    divide(
+        change, [](const auto& c, int d) { return c.now[d]; }, result.acceleration);
+    divide(
+        change, [](const auto& c, int d) { return c.impulse[d]; }, result.velocity);
+    divide(
+        change, [](const auto& c, int d) { return c.impulse_integral[d]; }, result.displacement);
     return result;
   }
 
   /// What is to be added to the rates that were recorded `age` seconds ago, for the records to
   /// continue the new branch of the forces backwards.
-  PlanarRates past(const BodyChange& change, double age) const {
+  PlanarRates past(const PlanarBodyChange& change, double age) const {
     double velocity[3], acceleration[3];
-    for (int d = 0; d < 3; ++d) {
-      velocity[d] =
-          divided(change, d, [=](const ForceChange& c) { return c.past_momentum(d, age); });
-      acceleration[d] =
-          divided(change, d, [=](const ForceChange& c) { return c.past_force(d, age); });
-    }
+    divide(
+        change, [=](const auto& c, int d) { return c.past_momentum(d, age); }, velocity);
+    divide(
+        change, [=](const auto& c, int d) { return c.past_force(d, age); }, acceleration);
     return {{velocity[0], velocity[1]},
             velocity[2],
             {acceleration[0], acceleration[1]},
@@ -103,9 +110,12 @@ struct PlanarCorrection {
   }
 
  private:
-  template <class Component>
-  double divided(const BodyChange& change, int d, Component component) const {
-    return d < 2 ? component(change.force) / mass : component(change.torque) / moment;
+  /// x, y and rotation: a moment of the force over the mass, and of the torque over the moment of
+  /// inertia.
+  template <class Moment>
+  void divide(const PlanarBodyChange& change, Moment moment_of, double (&result)[3]) const {
+    for (int d = 0; d < 2; ++d) result[d] = moment_of(change.force, d) / mass;
+    result[2] = moment_of(change.torque, 0) / moment;
   }
 };
 

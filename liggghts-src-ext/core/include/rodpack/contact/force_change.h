@@ -23,15 +23,16 @@ namespace rodpack {
 // O(dt^3), once per event: third order.
 
 /// Moments of the change D of a force (N) or torque (N m) since an event in the last step.
-struct ForceChange {
-  double now[3];      // D at the end of the step
-  double rate[3];     // dD/dt
-  double impulse[3];  // integral of D since the event
+template <int components>
+struct ChangeOf {
+  double now[components];      // D at the end of the step
+  double rate[components];     // dD/dt
+  double impulse[components];  // integral of D since the event
   /// Integral over time of that impulse, as it grew since the event: displacement times mass.
-  double impulse_integral[3];
+  double impulse_integral[components];
 
-  ForceChange& operator+=(const ForceChange& other) {
-    for (int d = 0; d < 3; ++d) {
+  ChangeOf& operator+=(const ChangeOf& other) {
+    for (int d = 0; d < components; ++d) {
       now[d] += other.now[d];
       rate[d] += other.rate[d];
       impulse[d] += other.impulse[d];
@@ -40,8 +41,8 @@ struct ForceChange {
     return *this;
   }
 
-  ForceChange& operator*=(double factor) {
-    for (int d = 0; d < 3; ++d) {
+  ChangeOf& operator*=(double factor) {
+    for (int d = 0; d < components; ++d) {
       now[d] *= factor;
       rate[d] *= factor;
       impulse[d] *= factor;
@@ -58,16 +59,23 @@ struct ForceChange {
   }
 };
 
+/// Of a force or torque in space; of a force in the plane of x and y; of a torque about z.
+typedef ChangeOf<3> ForceChange;
+typedef ChangeOf<2> PlanarForceChange;
+typedef ChangeOf<1> PlanarTorqueChange;
+
 static_assert(offsetof(ForceChange, now) == 0 && offsetof(ForceChange, rate) == 24 &&
                   offsetof(ForceChange, impulse) == 48 &&
                   offsetof(ForceChange, impulse_integral) == 72 && sizeof(ForceChange) == 96,
               "changes of spheres' forces are stored, and sent, as plain doubles");
 
 /// A change that is `now` and grows by `rate`, of an event that lies `since` seconds back.
-inline ForceChange linear_change(const double (&now)[3], const double (&rate)[3], double since) {
-  ForceChange change;
+template <int components>
+inline ChangeOf<components> linear_change(const double (&now)[components],
+                                          const double (&rate)[components], double since) {
+  ChangeOf<components> change;
   const double half = 0.5 * since * since, third = since * since * since / 3.0;
-  for (int d = 0; d < 3; ++d) {
+  for (int d = 0; d < components; ++d) {
     change.now[d] = now[d];
     change.rate[d] = rate[d];
     change.impulse[d] = since * now[d] - half * rate[d];
@@ -79,11 +87,13 @@ inline ForceChange linear_change(const double (&now)[3], const double (&rate)[3]
 /// -coefficient times a velocity that has changed, where `acceleration`, `velocity` and
 /// `displacement` are the changes of an event in the last step as seen at its end, and a step of
 /// length `dt` has passed since: the dashpot of a contact whose bodies had an event.
-inline ForceChange dashpot_change(double coefficient, const double (&acceleration)[3],
-                                  const double (&velocity)[3], const double (&displacement)[3],
-                                  double dt) {
-  ForceChange change;
-  for (int d = 0; d < 3; ++d) {
+template <int components>
+inline ChangeOf<components> dashpot_change(double coefficient,
+                                           const double (&acceleration)[components],
+                                           const double (&velocity)[components],
+                                           const double (&displacement)[components], double dt) {
+  ChangeOf<components> change;
+  for (int d = 0; d < components; ++d) {
     const double a = -coefficient * acceleration[d], v = -coefficient * velocity[d];
     const double x = -coefficient * displacement[d];
     change.now[d] = v + dt * a;
@@ -96,11 +106,12 @@ inline ForceChange dashpot_change(double coefficient, const double (&acceleratio
 
 /// The torque of a changed force at `lever` (m), which moves at `lever_rate` (m/s). `product`(a, b,
 /// result) is that of vectors.
-template <class Product>
-inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
-                                 const ForceChange& force, Product product) {
-  ForceChange torque;
-  double of_rate[3], of_impulse[3];
+template <int of_torque, int of_force, class Product>
+inline ChangeOf<of_torque> torque_change(const double (&lever)[of_force],
+                                         const double (&lever_rate)[of_force],
+                                         const ChangeOf<of_force>& force, Product product) {
+  ChangeOf<of_torque> torque;
+  double of_rate[of_torque], of_impulse[of_torque];
   product(lever, force.now, torque.now);
   product(lever, force.rate, torque.rate);
   product(lever_rate, force.now, of_rate);
@@ -108,7 +119,7 @@ inline ForceChange torque_change(const double (&lever)[3], const double (&lever_
   product(lever, force.impulse, torque.impulse);
   product(lever_rate, force.impulse_integral, of_impulse);
   product(lever, force.impulse_integral, torque.impulse_integral);
-  for (int d = 0; d < 3; ++d) {
+  for (int d = 0; d < of_torque; ++d) {
     torque.rate[d] += of_rate[d];
     torque.impulse[d] -= of_impulse[d];
   }
@@ -118,19 +129,35 @@ inline ForceChange torque_change(const double (&lever)[3], const double (&lever_
 /// The torque of a changed force in space, from lever and lever rate.
 inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
                                  const ForceChange& force) {
-  return torque_change(lever, lever_rate, force, cross);
+  return torque_change<3>(lever, lever_rate, force, cross);
 }
 
-/// The torque of a changed force where everything lies in the plane of x and y: it has a z
-/// component alone, the others are 0.
-inline ForceChange planar_torque_change(const double (&lever)[3], const double (&lever_rate)[3],
-                                        const ForceChange& force) {
-  return torque_change(lever, lever_rate, force,
-                       [](const double* a, const double* b, double* result) {
-                         result[0] = result[1] = 0.0;
-                         result[2] = cross_z<double>({a[0], a[1]}, {b[0], b[1]});
-                       });
+/// The same in the plane.
+inline PlanarTorqueChange torque_change(const double (&lever)[2], const double (&lever_rate)[2],
+                                        const PlanarForceChange& force) {
+  return torque_change<1>(lever, lever_rate, force,
+                          [](const double* a, const double* b, double* result) {
+                            result[0] = cross_z<double>({a[0], a[1]}, {b[0], b[1]});
+                          });
 }
+
+/// The part of a change in space that `count` components from `first` on make up.
+template <int count>
+inline ChangeOf<count> components_of(const ForceChange& change, int first) {
+  ChangeOf<count> part;
+  for (int d = 0; d < count; ++d) {
+    part.now[d] = change.now[first + d];
+    part.rate[d] = change.rate[first + d];
+    part.impulse[d] = change.impulse[first + d];
+    part.impulse_integral[d] = change.impulse_integral[first + d];
+  }
+  return part;
+}
+
+/// Of a force, what lies in the plane of x and y.
+inline PlanarForceChange in_plane(const ForceChange& force) { return components_of<2>(force, 0); }
+/// Of a torque, that about z.
+inline PlanarTorqueChange about_z(const ForceChange& torque) { return components_of<1>(torque, 2); }
 
 /// Time since a quantity that is `before` one step ago and `now` now, of the other sign, was 0.
 inline double time_since_zero(double before, double now, double dt) {
