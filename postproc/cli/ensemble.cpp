@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "ensemble/ensemble.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -38,18 +40,14 @@ void bring_up_to_date(const FoundCases& found, const EnsembleOptions& options) {
     for (const auto& run : one.runs)
       if (options.analyse_again || !why_not_current(run).empty()) folders.push_back(run.folder);
   if (folders.empty()) return;
-  std::cerr << "0 of " << folders.size() << " runs analysed" << std::flush;
-  try {
-    analyse_runs(folders, options.jobs, fs::canonical("/proc/self/exe").string(),
-                 [](std::size_t done, std::size_t of, const std::string& folder) {
-                   std::cerr << "\r\033[K" << done << " of " << of << " runs analysed: " << folder
-                             << std::flush;
-                 });
-  } catch (...) {
-    std::cerr << '\n';
-    throw;
-  }
-  std::cerr << '\n';
+  // One line that is written over again on a terminal, a line a run in a file.
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  analyse_runs(folders, options.jobs, fs::canonical("/proc/self/exe").string(),
+               [&](std::size_t done, std::size_t of, const std::string& folder) {
+                 std::cerr << (terminal ? "\r\033[K" : "") << done << " of " << of
+                           << " runs analysed: " << folder << (terminal && done < of ? "" : "\n")
+                           << std::flush;
+               });
 }
 
 std::string text(const EnsembleMean& mean) {

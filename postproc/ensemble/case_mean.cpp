@@ -147,7 +147,7 @@ void add_rdf_peak(const CurvesOfRuns& curves, std::size_t runs, EnsembleCase& me
 void add_janssen_fit(const CurvesOfRuns& curves, const NumbersOfRuns& numbers, double diameter,
                      std::size_t runs, EnsembleCase& mean) {
   const auto found = curves.find("profile.pressure_N_m");
-  if (found == curves.end()) return;
+  if (found == curves.end() || !numbers.count("omega_m")) return;
   const CurveOfRuns& pressure = found->second;
   const auto fit = [&](const Sample& sample) -> std::optional<JanssenFit> {
     PressureProfile profile;

@@ -23,12 +23,12 @@ std::string shape_name(const Json& parameters) {
   const double ratio = number(parameters, "aspect_ratio", 5);
   if (ratio == 1) return "spheres";
   std::string look = surface(parameters);
-  if (look == "overlap") look += number_text(number(parameters, "overlap", 0.5), 6);
+  if (look == "overlap") look += number_text(number(parameters, "overlap", 0.5), 9);
   const double theta = number(parameters, "curvature_deg", 0);
-  const std::string length = "-AR" + number_text(ratio, 6);
+  const std::string length = "-AR" + number_text(ratio, 9);
   if (theta == 0) return look + length;
   return "curved" + (look == "smooth" ? "" : "-" + look) + length + "-theta" +
-         number_text(theta, 6);
+         number_text(theta, 9);
 }
 
 auto order_of(const Json& parameters, const std::string& name) {
@@ -46,15 +46,15 @@ std::string case_name(const Json& parameters) {
   const double eta_n = number(parameters, "damping_ratio_normal", 0.2);
   const double eta_t = number(parameters, "damping_ratio_tangential", 0.2);
   const double mu = number(parameters, "friction", 0.3);
-  if (kn != 2000) name += "-kn" + number_text(kn, 6);
-  if (kt != kn / 2) name += "-kt" + number_text(kt, 6);
+  if (kn != 2000) name += "-kn" + number_text(kn, 9);
+  if (kt != kn / 2) name += "-kt" + number_text(kt, 9);
   if (eta_n != 0.2 && eta_n == eta_t)
-    name += "-eta" + number_text(eta_n, 6);
+    name += "-eta" + number_text(eta_n, 9);
   else {
-    if (eta_n != 0.2) name += "-eta_n" + number_text(eta_n, 6);
-    if (eta_t != 0.2) name += "-eta_t" + number_text(eta_t, 6);
+    if (eta_n != 0.2) name += "-etan" + number_text(eta_n, 9);
+    if (eta_t != 0.2) name += "-etat" + number_text(eta_t, 9);
   }
-  if (mu != 0.3) name += "-mu" + number_text(mu, 6);
+  if (mu != 0.3) name += "-mu" + number_text(mu, 9);
   return name;
 }
 

@@ -9,7 +9,8 @@ namespace rodpack {
 
 /// Names the case of a run by its parameters.json: spheres, coarse-AR2, smooth-AR7,
 /// curved-AR5-theta60 (smooth ones; else curved-coarse-AR5-theta60), overlap0.3-AR5; then what
-/// differs from the paper's contact law: -kn4000, -kt500 (unless half of kn), -eta0.4, -mu0.1.
+/// differs from the paper's contact law: -kn4000, -kt500 (unless half of kn), -eta0.4
+/// (-etan, -etat if they differ), -mu0.1.
 /// Keys that are missing count as the paper's values.
 std::string case_name(const nlohmann::json& parameters);
 

@@ -159,6 +159,8 @@ FoundCases cases_of_study(const fs::path& study, const fs::path& relative_to, bo
     found.cases.push_back(std::move(one));
   }
   found.notes = finished.notes();
+  for (const auto& run : table.left_out)
+    found.notes.push_back("left out: " + run + ", as cases.json says");
   if (found.cases.empty())
     throw DataError(study.string() + ": none of its runs has finished, expected at least one");
   refuse_unnamed_differences(table, found.cases);

@@ -132,6 +132,7 @@ Ensemble read_ensemble(const std::string& file) {
     throw DataError(file + ": expected a JSON object with \"format\": \"" + format + "\"");
   Ensemble ensemble;
   try {
+    if (!json.at("cases").is_object()) throw DataError(file + ": expected an object 'cases'");
     for (const auto& [name, one] : json.at("cases").items())
       ensemble.cases.push_back(case_from(name, one));
     ensemble.notes = json.at("notes").get<std::vector<std::string>>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "ensemble/study_table.h"
 
+#include <cmath>
 #include <fstream>
 #include <set>
 
@@ -13,6 +14,13 @@ using Json = nlohmann::json;
 
 constexpr const char* format = "rodpack-study 1";
 
+// Numbers are equal to the six digits that a deck may write.
+bool same_value(const Json& found, const Json& expected) {
+  if (!found.is_number() || !expected.is_number()) return found == expected;
+  const double a = found.get<double>(), b = expected.get<double>();
+  return std::fabs(a - b) <= 1e-6 * std::fabs(b);
+}
+
 }  // namespace
 
 StudyTable read_study_table(const std::string& file) {
@@ -24,6 +32,8 @@ StudyTable read_study_table(const std::string& file) {
   table.file = file;
   try {
     table.columns = json.value("columns", std::vector<std::string>());
+    table.left_out = json.value("left_out", std::vector<std::string>());
+    if (!json.at("cases").is_object()) throw DataError(file + ": expected an object 'cases'");
     for (const auto& [name, one] : json.at("cases").items()) {
       if (name.empty() || name.find('/') != std::string::npos || name[0] == '.')
         throw DataError(file + ": case '" + name +
@@ -48,9 +58,10 @@ void refuse_other_than_planned(const PlannedCase& planned, long seed, const Fini
   if (run.seed != seed)
     throw DataError(run.folder + ": seed is " + std::to_string(run.seed) + ", expected " +
                     std::to_string(seed) + " by the name of the folder");
+  const Json common = common_parameters(run.parameters);
   for (const auto& [name, value] : planned.parameters.items())
-    for (const auto& [key, found] : run.parameters.items())
-      if (is_deck_parameter(key, name) && found != value)
+    for (const auto& [key, found] : common.items())
+      if (is_deck_parameter(key, name) && !same_value(found, value))
         throw DataError(run.folder + ": " + key + " is " + found.dump() + ", expected " +
                         value.dump() + " as the study's cases.json has for case " + planned.name);
 }

@@ -22,6 +22,7 @@ struct StudyTable {
   std::string file;
   std::vector<std::string> columns;  // parameters of the deck that the table names
   std::vector<PlannedCase> cases;
+  std::vector<std::string> left_out;  // runs that the workflow was told to do without
 };
 
 /// Reads cases.json. @throws DataError naming the file and what is wrong with it.
