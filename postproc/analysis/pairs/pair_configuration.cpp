@@ -124,6 +124,8 @@ PairConfiguration reported_configuration(const PairConfiguration& pair, Particle
   const double turn = full_turn(kind);
   best.angle = angle_from(0, best.angle, kind);
   if (best.angle <= -turn / 2 * (1 - rounding)) best.angle += turn;
+  // Rounding would leave a sign where there is no angle.
+  if (std::abs(best.angle) < rounding * rounding) best.angle = 0;
   return best;
 }
 

@@ -22,6 +22,7 @@ struct PeakConfiguration {
   PairConfiguration pair;        // mean of the pairs next to the densest place of the cluster
   double distance = 0;           // of the centres in it, d_p
   double spread = 0;             // rms distance of the cluster's pairs from it, d_p
+  double near_share = 0;         // of the cluster's pairs, those within 0.3 d_p of it
   double pairs = 0;              // as G(r) counts them
   double share = 0;              // of the peak's pairs
   double share_error = 0;        // standard error for independent pairs

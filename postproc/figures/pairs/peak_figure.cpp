@@ -19,6 +19,9 @@ constexpr double graph_height = 0.50;
 constexpr double inset_height = 0.27;  // of the particles
 constexpr double text_height = 0.13;   // below them
 
+// A configuration of which fewer pairs lie near the one drawn is one of a continuous series.
+constexpr double clear_share = 0.75;
+
 // Discs of one colour.
 struct Discs {
   std::vector<double> x, y, radius;
@@ -176,6 +179,10 @@ void plot_peak(const Rdf& rdf, const PeakExplanation& explanation, const std::st
     commands += label("{/:Bold " + percent(configuration.share) + "}", left + cell / 2, line);
     for (const auto& text : wrapped(configuration.name, columns > 2 ? 20 : 40))
       commands += label(text, left + cell / 2, line -= 0.032 / height);
+    if (configuration.near_share < clear_share)
+      commands += label("{/=*0.85 " + percent(configuration.near_share) +
+                            " of them as close as 0.3 {/:Italic d}_p}",
+                        left + cell / 2, line - 0.034 / height);
     commands += "set xrange [" + number_text(-cell * scale / 2) + ":" +
                 number_text(cell * scale / 2) + "]\nset yrange [" +
                 number_text(-inset_height * scale / 2) + ":" +
