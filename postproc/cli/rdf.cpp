@@ -23,13 +23,16 @@ struct RdfCommand {
   std::string stem = "rdf";
 };
 
-void explain_peak(const RdfCommand& options, const Rdf& rdf) {
-  const auto peak = find_rdf_peak(rdf, *options.explain, options.explain_width);
-  PeakSample sample(options.rdf, peak);
+PeakExplanation explain_peak(const RdfCommand& options, const Rdf& rdf) {
+  PeakSample sample(options.rdf, find_rdf_peak(rdf, *options.explain, options.explain_width));
   options.input.for_frames(
       [&](const Frame& frame) { sample.add(frame, read_packing(frame, options.input.packing)); });
-  const auto explanation = sample.result();
-  const auto stem = options.stem + "_explained";
+  return sample.result();
+}
+
+void write_explanation(const PeakExplanation& explanation, const Rdf& rdf,
+                       const std::string& stem) {
+  const auto& peak = explanation.peak;
   write_peak_table(explanation, stem + ".csv");
   plot_peak(rdf, explanation, stem);
   std::cout << "pairs at " << number_text(peak.from, 4) << " to " << number_text(peak.to, 4)
