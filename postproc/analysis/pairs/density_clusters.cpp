@@ -23,22 +23,20 @@ std::vector<std::size_t> density_clusters(
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
   };
-  std::vector<std::size_t> above;
+  std::vector<std::size_t> summits;  // of the denser neighbours, each once: few
   for (const auto i : order) {
-    above.clear();
+    summits.clear();
+    std::size_t densest = i;
     neighbours(i, [&](std::size_t j) {
-      if (rank[j] < rank[i]) above.push_back(j);
+      if (rank[j] >= rank[i]) return;
+      if (rank[j] < rank[densest]) densest = j;
+      const auto top = summit(j);
+      if (std::find(summits.begin(), summits.end(), top) == summits.end()) summits.push_back(top);
     });
-    if (above.empty()) continue;
-    parent[i] =
-        summit(*std::min_element(above.begin(), above.end(),
-                                 [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; }));
+    parent[i] = summit(densest);
     // From the densest down, so that the outcome does not depend on the order of the neighbours.
-    std::vector<std::size_t> summits;
-    for (const auto j : above) summits.push_back(summit(j));
     std::sort(summits.begin(), summits.end(),
               [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
-    summits.erase(std::unique(summits.begin(), summits.end()), summits.end());
     for (const auto other : summits) {
       const auto own = summit(i);
       const auto theirs = summit(other);
@@ -48,9 +46,9 @@ std::vector<std::size_t> density_clusters(
       if (density[i] >= depth * density[lower]) parent[lower] = higher;
     }
   }
-  std::vector<std::size_t> summits(density.size());
-  for (std::size_t i = 0; i < summits.size(); ++i) summits[i] = summit(i);
-  return summits;
+  std::vector<std::size_t> of_points(density.size());
+  for (std::size_t i = 0; i < of_points.size(); ++i) of_points[i] = summit(i);
+  return of_points;
 }
 
 }  // namespace rodpack

@@ -22,11 +22,12 @@ std::string shifted_by(double along) {
 
 std::string sphere_name(double distance, int common) {
   if (distance <= 1 + same_place / 2) return "touching";
-  if (common >= 2 && about(distance, std::sqrt(3.0))) return "across two triangles";
-  if (common == 1 && about(distance, 2)) return "in a row of three";
-  if (common == 0) return "no sphere in common";
-  return common == 1 ? "both touch one sphere"
-                     : "both touch " + std::to_string(common) + " spheres";
+  if (common >= 2 && std::abs(distance - std::sqrt(3.0)) <= same_place / 2)
+    return "across two triangles";
+  if (common == 1 && std::abs(distance - 2) <= same_place / 2) return "in a row of three";
+  if (common == 0) return "no sphere next to both";
+  return common == 1 ? "both next to one sphere"
+                     : "both next to " + std::to_string(common) + " spheres";
 }
 
 // Where the spheres of one chain sit in the hollows of the other.
@@ -40,7 +41,8 @@ std::string in_hollows(const PairConfiguration& pair) {
 }
 
 std::string parallel_name(const PairConfiguration& pair, double aspect_ratio) {
-  if (pair.across <= same_place) return "end to end";
+  if (pair.across <= same_place)
+    return pair.along <= aspect_ratio + same_place ? "end to end" : "in line and apart";
   const std::string shift = pair.along > same_place ? shifted_by(pair.along) : "";
   if (pair.across > 2 + same_place) return "parallel and apart" + shift;
   if (pair.across > 1 + same_place) return "parallel with one between" + shift;

@@ -45,7 +45,7 @@ double angle_from(double reference, double angle, ParticleKind kind);
 PairConfiguration reported_configuration(const PairConfiguration& pair, ParticleKind kind);
 
 /// Returns the name of a reported configuration in plain words, by the rules of postproc/README.md
-/// (Definitions); `common`: of two spheres, how many others touch both.
+/// (Definitions); `common`: of two spheres, how many others are next to both.
 std::string configuration_name(const PairConfiguration& pair, ParticleKind kind,
                                double aspect_ratio, int common);
 

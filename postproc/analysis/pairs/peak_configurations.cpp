@@ -22,7 +22,7 @@ constexpr double bandwidth = 0.15;
 constexpr double pass_depth = 0.5;
 // More pairs than this are sorted by their nearest one of so many, evenly chosen: the neighbours of
 // all would take long, and say no more.
-constexpr std::size_t most_sorted = 20000;
+constexpr std::size_t most_sorted = 5000;
 
 using Coordinates = std::array<double, 3>;
 
@@ -69,15 +69,13 @@ struct Cloud {
            std::size_t index) {
     for (const auto& each : equal_configurations(configuration, space.kind)) {
       const auto at = space.point(each, common);
-      const double turn =
-          space.arm * (space.kind == ParticleKind::curved ? 2 * pi : pi);  // where angles close
-      for (const double shift : {0.0, -turn, turn}) {
-        if (shift != 0 &&
-            (space.kind == ParticleKind::sphere || std::abs(at[2] + shift) > turn / 2 + bandwidth))
-          continue;
-        points.push_back({{at[0], at[1], at[2] + shift}});
-        pair.push_back(index);
-      }
+      points.push_back(at);
+      pair.push_back(index);
+      // Where angles close, seen from the other end of their range.
+      const double turn = space.arm * (space.kind == ParticleKind::curved ? 2 * pi : pi);
+      if (space.kind == ParticleKind::sphere || std::abs(at[2]) < turn / 2 - bandwidth) continue;
+      points.push_back({{at[0], at[1], at[2] - std::copysign(turn, at[2])}});
+      pair.push_back(index);
     }
   }
 };
@@ -232,7 +230,7 @@ PeakExplanation PeakSample::result(double least_share) const {
     squared += pair.weight * pair.weight;
   }
   explanation.touching_share /= explanation.pairs;
-  explanation.other_share = 1;
+  double others = explanation.pairs;
   for (const auto& [summit, members] : clusters()) {
     double weight = 0;
     for (const auto m : members) weight += pairs_[m].weight;
@@ -242,9 +240,9 @@ PeakExplanation PeakSample::result(double least_share) const {
     configuration.share = share;
     configuration.share_error = std::sqrt(share * (1 - share) * squared) / explanation.pairs;
     explanation.configurations.push_back(configuration);
-    explanation.other_share -= share;
+    others -= weight;
   }
-  explanation.other_share = std::max(0.0, explanation.other_share);
+  explanation.other_share = others / explanation.pairs;
   std::stable_sort(explanation.configurations.begin(), explanation.configurations.end(),
                    [](const auto& a, const auto& b) { return a.share > b.share; });
   return explanation;
@@ -253,10 +251,9 @@ PeakExplanation PeakSample::result(double least_share) const {
 void write_peak_table(const PeakExplanation& explanation, const std::string& file) {
   std::string text =
       csv_line({"configuration", "along_over_dp", "across_over_dp", "angle_deg", "distance_over_dp",
-                "spread_over_dp", "share", "share_standard_error", "pairs", "touching_share",
-                "common_neighbours"}) +
+                "spread_over_dp", "near_share", "share", "share_standard_error", "pairs",
+                "touching_share", "common_neighbours"}) +
       '\n';
-  double others = explanation.pairs;
   for (const auto& each : explanation.configurations) {
     const bool round = explanation.kind == ParticleKind::sphere;
     text +=
@@ -266,12 +263,11 @@ void write_peak_table(const PeakExplanation& explanation, const std::string& fil
                   number_text(each.share_error), number_text(each.pairs),
                   number_text(each.touching_share), number_text(each.common_neighbours)}) +
         '\n';
-    others -= each.pairs;
   }
-  text +=
-      csv_line({"other", "nan", "nan", "nan", "nan", "nan", "nan",
-                number_text(explanation.other_share), "nan", number_text(others), "nan", "nan"}) +
-      '\n';
+  text += csv_line({"other", "nan", "nan", "nan", "nan", "nan", "nan",
+                    number_text(explanation.other_share), "nan",
+                    number_text(explanation.other_share * explanation.pairs), "nan", "nan"}) +
+          '\n';
   write_text(file, text);
 }
 

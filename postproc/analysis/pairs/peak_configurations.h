@@ -27,7 +27,7 @@ struct PeakConfiguration {
   double share = 0;              // of the peak's pairs
   double share_error = 0;        // standard error for independent pairs
   double touching_share = 0;     // of the cluster's pairs, those that touch
-  double common_neighbours = 0;  // mean number of particles that touch both
+  double common_neighbours = 0;  // mean number of particles next to both
 };
 
 /// What stands behind a peak of G(r).
@@ -58,7 +58,7 @@ class PeakSample {
     PairConfiguration configuration;
     double weight;  // how often G(r) counts it, 1 or 2
     bool touching;
-    int common;  // particles that touch both
+    int common;  // particles next to both
   };
   void check_shape(const Frame& bodies, const Packing& packing);
   std::map<std::size_t, std::vector<std::size_t>> clusters() const;  // members by their summit

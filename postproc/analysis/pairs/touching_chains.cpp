@@ -11,7 +11,9 @@
 namespace rodpack {
 
 TouchingChains::TouchingChains(const Frame& bodies, const Packing& packing)
-    : radius_(bodies.column("radius")), gap_(1e-4 * packing.particle_diameter) {
+    : radius_(bodies.column("radius")),
+      gap_(1e-4 * packing.particle_diameter),
+      next_(0.1 * packing.particle_diameter) {
   const auto& spheres = bodies.column("nspheres");
   const auto& half_length = bodies.column("half_length");
   const double d = packing.particle_diameter;
@@ -32,7 +34,11 @@ TouchingChains::TouchingChains(const Frame& bodies, const Packing& packing)
 }
 
 bool TouchingChains::touch(std::size_t i, std::size_t j, double dx, double dy) const {
-  const double limit = radius_[i] + radius_[j] + gap_;
+  return nearer(i, j, dx, dy, gap_);
+}
+
+bool TouchingChains::nearer(std::size_t i, std::size_t j, double dx, double dy, double gap) const {
+  const double limit = radius_[i] + radius_[j] + gap;
   for (const auto& a : centres_[i])
     for (const auto& b : centres_[j]) {
       const double x = dx + b[0] - a[0], y = dy + b[1] - a[1];
@@ -53,7 +59,7 @@ void TouchingChains::find_neighbours(const Packing& packing) {
   double extent = 0;  // largest distance of a particle's rim from its centre of mass
   for (std::size_t i = 0; i < centres_.size(); ++i)
     for (const auto& [x, y] : centres_[i]) extent = std::max(extent, std::hypot(x, y) + radius_[i]);
-  const double reach = 2 * extent + gap_;
+  const double reach = 2 * extent + next_;
   std::vector<std::size_t> order(packing.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
@@ -67,7 +73,7 @@ void TouchingChains::find_neighbours(const Packing& packing) {
       if (dy > reach) break;
       double dx = packing.x[j] - packing.x[i];
       if (period > 0) dx = std::remainder(dx, period);
-      if (std::abs(dx) > reach || !touch(i, j, dx, dy)) continue;
+      if (std::abs(dx) > reach || !nearer(i, j, dx, dy, next_)) continue;
       neighbours_[i].push_back(j);
       neighbours_[j].push_back(i);
     }

@@ -19,17 +19,20 @@ class TouchingChains {
   TouchingChains(const Frame& bodies, const Packing& packing);
   /// Whether particle j touches i when its centre of mass lies (dx, dy) from that of i, m.
   bool touch(std::size_t i, std::size_t j, double dx, double dy) const;
-  /// How many particles touch both i and j; a particle that touches one of them across a periodic
-  /// border counts too.
+  /// How many particles are next to both i and j, with a gap below d_p/10: the spread of sizes
+  /// leaves gaps of that order in an arrangement that would touch. Across a periodic border counts
+  /// too.
   int common_neighbours(std::size_t i, std::size_t j) const;
 
  private:
+  bool nearer(std::size_t i, std::size_t j, double dx, double dy, double gap) const;
   void find_neighbours(const Packing& packing);
 
   std::vector<std::vector<std::array<double, 2>>> centres_;  // of the spheres, from that of mass, m
   std::vector<double> radius_;                               // m
   double gap_;                                               // largest that counts as touching, m
-  std::vector<std::vector<std::size_t>> neighbours_;         // in ascending order
+  double next_;  // largest of particles that are next to each other, m
+  std::vector<std::vector<std::size_t>> neighbours_;  // in ascending order
 };
 
 }  // namespace rodpack
