@@ -146,20 +146,23 @@ TEST(PairConfiguration, NamesFollowTheirGeometricRules) {
   EXPECT_EQ(name(1, 1.7, -60, 3), "oblique at 60° flank on");  // 120 degrees from it
 }
 
-// Points on a line, neighbours one apart. Densities 2 5 3 1 4 2: the summits 5 and 4 with the pass
-// 1 between them: two clusters at a depth of 0.5 (1 < 2), one at 0.25 (1 >= 1). The point of the
-// pass belongs to the denser neighbour.
+// Points on a line, neighbours one apart. Densities 20 50 30 10 40 20: the summits 50 and 40 with
+// the pass 10 between them, 30 = 4.7 standard errors of 40 lower: two clusters at a depth of 0.5
+// (10 < 20), one at 0.25 (10 >= 10). The point of the pass belongs to the denser neighbour.
 TEST(DensityClusters, APassPartsSummitsWhenItIsDeepEnough) {
-  const std::vector<double> density{2, 5, 3, 1, 4, 2};
+  std::vector<double> density{20, 50, 30, 10, 40, 20};
   const auto beside = [&](std::size_t i, const Visit& visit) {
     if (i > 0) visit(i - 1);
     if (i + 1 < density.size()) visit(i + 1);
   };
   EXPECT_THAT(density_clusters(density, beside, 0.5), ElementsAre(1, 1, 1, 4, 4, 4));
   EXPECT_THAT(density_clusters(density, beside, 0.25), ElementsAre(1, 1, 1, 1, 1, 1));
+  // A tenth of the counts: 3 lower, below three standard errors of 4, which are 6.
+  for (double& each : density) each /= 10;
+  EXPECT_THAT(density_clusters(density, beside, 0.5), ElementsAre(1, 1, 1, 1, 1, 1));
   // Of equal densities the first counts as the denser.
-  const std::vector<double> flat(6, 1.0);
-  EXPECT_THAT(density_clusters(flat, beside, 0.5), ElementsAre(0, 0, 0, 0, 0, 0));
+  density.assign(6, 1.0);
+  EXPECT_THAT(density_clusters(density, beside, 0.5), ElementsAre(0, 0, 0, 0, 0, 0));
 }
 
 // Peak of 4 in bin 3: lowest to the left 0, to the right 1 (before the end): base 1, half at 2.5,

@@ -2,6 +2,7 @@
 #include "analysis/pairs/density_clusters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace rodpack {
@@ -43,7 +44,9 @@ std::vector<std::size_t> density_clusters(
       if (own == theirs) continue;
       const auto [higher, lower] =
           rank[own] < rank[theirs] ? std::pair(own, theirs) : std::pair(theirs, own);
-      if (density[i] >= depth * density[lower]) parent[lower] = higher;
+      const bool deep = density[i] < depth * density[lower] &&
+                        density[lower] - density[i] > 3 * std::sqrt(density[lower]);
+      if (!deep) parent[lower] = higher;
     }
   }
   std::vector<std::size_t> of_points(density.size());

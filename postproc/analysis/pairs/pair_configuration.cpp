@@ -12,7 +12,8 @@ namespace {
 
 // What counts as equal in names.
 constexpr double same_place = 0.25;  // d_p
-constexpr double same_angle = 10;    // degrees
+constexpr double parallel = 10;      // degrees, at most
+constexpr double upright = 75;       // degrees, at least
 
 bool about(double value, double expected) { return std::abs(value - expected) <= same_place; }
 
@@ -52,9 +53,9 @@ std::string parallel_name(const PairConfiguration& pair, double aspect_ratio) {
 }
 
 std::string straight_name(const PairConfiguration& pair, double turn, double aspect_ratio) {
-  if (turn <= same_angle) return parallel_name(pair, aspect_ratio);
+  if (turn <= parallel) return parallel_name(pair, aspect_ratio);
   const double half = aspect_ratio / 2;
-  if (turn >= 90 - same_angle) {
+  if (turn >= upright) {
     if (!about(pair.across, half + 0.5)) return "at right angles";
     if (pair.along <= same_place) return "T";
     return pair.along > half - 0.5 - same_place ? "L" : "T off the middle";
@@ -67,12 +68,12 @@ std::string straight_name(const PairConfiguration& pair, double turn, double asp
 
 std::string curved_name(const PairConfiguration& pair, double turn) {
   const std::string shift = pair.along > same_place ? shifted_by(pair.along) : "";
-  if (turn <= same_angle) {
+  if (turn <= parallel) {
     if (std::abs(pair.across) <= same_place) return "end to end";
     return (std::abs(pair.across) <= 1 + same_place ? "nested arcs" : "arcs one above the other") +
            shift;
   }
-  if (turn >= 180 - same_angle)
+  if (turn >= 180 - parallel)
     return (pair.across > 0 ? "back to back" : "open sides facing") + shift;
   return "turned by " + number_text(std::round(turn)) + "°";
 }

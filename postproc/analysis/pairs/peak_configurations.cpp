@@ -199,8 +199,8 @@ std::map<std::size_t, std::vector<std::size_t>> PeakSample::clusters() const {
   };
   std::vector<double> density(sample.size());
   for (std::size_t k = 0; k < sample.size(); ++k) {
-    density[k] = pairs_[sample[k]].weight;
-    neighbours(k, [&](std::size_t other) { density[k] += pairs_[sample[other]].weight; });
+    density[k] = 1;
+    neighbours(k, [&](std::size_t) { density[k] += 1; });
   }
   const auto summits = density_clusters(density, neighbours, pass_depth);
 
