@@ -101,7 +101,7 @@ TEST(PairConfiguration, ATIsTheSameSeenFromBarAndStem) {
     EXPECT_NEAR(reported.along, 0, 1e-15);
     EXPECT_NEAR(reported.across, 2, 1e-15);
     EXPECT_NEAR(reported.angle, pi / 2, 1e-15);
-    EXPECT_EQ(configuration_name(reported, ParticleKind::straight, 3, 0), "T");
+    EXPECT_EQ(configuration_name(reported, ParticleKind::straight, {3, 1, 0.5, 0, 1}, 0), "T");
   }
 }
 
@@ -112,13 +112,18 @@ TEST(PairConfiguration, CurvedParticlesKeepTheirOpenSide) {
     return reported_configuration({along, across, degrees * degree}, ParticleKind::curved);
   };
   const auto name = [](const PairConfiguration& pair) {
-    return configuration_name(pair, ParticleKind::curved, 5, 0);
+    return configuration_name(pair, ParticleKind::curved, {5, 1, 0.5, pi / 2, 1}, 0);
   };
   const auto left = reported(-0.7, 1.2, 25), right = reported(0.7, 1.2, -25);
   EXPECT_NEAR(left.along, right.along, 1e-15);
   EXPECT_NEAR(left.angle, right.angle, 1e-15);
-  EXPECT_EQ(name(reported(0, -1, 0)), "nested arcs");  // the outer one is at 1 of the inner one
-  EXPECT_NEAR(reported(0, -1, 0).across, 1, 1e-15);
+  // Arcs over 90 degrees touch near their ends, one step of 1 / cos 45 degrees = 1.41 apart; that
+  // is told from the inner one.
+  EXPECT_EQ(name(reported(0, -1.41, 0)), "nested arcs");
+  EXPECT_NEAR(reported(0, -1.41, 0).across, 1.41, 1e-15);
+  EXPECT_EQ(name(reported(0, 2.82, 0)), "nested arcs apart");
+  EXPECT_EQ(name(reported(0, -1.3, 150)), "open sides facing turned by 30°");
+  EXPECT_EQ(name(reported(0, -1.3, 90)), "turned by 90°");
   EXPECT_EQ(name(reported(0, 1.3, 180)), "back to back");
   EXPECT_EQ(name(reported(0, -1.3, 180)), "open sides facing");
   EXPECT_NEAR(reported(0, -1.3, 180).across, -1.3, 1e-15);
@@ -127,7 +132,7 @@ TEST(PairConfiguration, CurvedParticlesKeepTheirOpenSide) {
 TEST(PairConfiguration, NamesFollowTheirGeometricRules) {
   const auto name = [](double along, double across, double degrees, double aspect_ratio) {
     return configuration_name({along, across, degrees * degree}, ParticleKind::straight,
-                              aspect_ratio, 0);
+                              {aspect_ratio, 1, 0.5, 0, 1}, 0);
   };
   EXPECT_EQ(name(0.1, 1, 4, 5), "side by side");
   EXPECT_EQ(name(0.5, 0.87, 0, 5), "side by side shifted by half a sphere");
@@ -286,7 +291,7 @@ TEST(PeakConfigurations, CurvedParticles) {
   const auto found = explain(placed, 1.4, 1.5);
   ASSERT_EQ(found.configurations.size(), 2U);
   EXPECT_DOUBLE_EQ(found.configurations[0].share, 2.0 / 3);
-  EXPECT_EQ(found.configurations[0].name, "turned by 11°");
+  EXPECT_EQ(found.configurations[0].name, "nested arcs shifted by 0.3 d_p turned by 11°");
   EXPECT_DOUBLE_EQ(found.configurations[1].share, 1.0 / 3);
   EXPECT_EQ(found.configurations[1].name, "open sides facing");
   EXPECT_NEAR(found.configurations[1].pair.across, -1.43, 1e-9);

@@ -66,16 +66,17 @@ std::string straight_name(const PairConfiguration& pair, double turn, double asp
   return "oblique at " + number_text(std::round(turn)) + (end_on ? "° end on" : "° flank on");
 }
 
-std::string curved_name(const PairConfiguration& pair, double turn) {
-  const std::string shift = pair.along > same_place ? shifted_by(pair.along) : "";
-  if (turn <= parallel) {
-    if (std::abs(pair.across) <= same_place) return "end to end";
-    return (std::abs(pair.across) <= 1 + same_place ? "nested arcs" : "arcs one above the other") +
-           shift;
-  }
-  if (turn >= 180 - parallel)
-    return (pair.across > 0 ? "back to back" : "open sides facing") + shift;
-  return "turned by " + number_text(std::round(turn)) + "°";
+std::string curved_name(const PairConfiguration& pair, double turn, double curvature) {
+  const double off = std::min(turn, 180 - turn);  // from alike or opposed
+  if (off > 45) return "turned by " + number_text(std::round(turn)) + "°";
+  std::string ending = pair.along > same_place ? shifted_by(pair.along) : "";
+  if (off > parallel) ending += " turned by " + number_text(std::round(off)) + "°";
+  if (turn > 90) return (pair.across > 0 ? "back to back" : "open sides facing") + ending;
+  const double across = std::abs(pair.across);
+  if (across <= same_place) return "end to end" + ending;
+  // Arcs that are stacked touch near their ends, where a step across is cos(theta / 2) of it.
+  const double nested = 1 / std::cos(std::min(curvature, pi * 2 / 3) / 2);
+  return (across <= nested + same_place ? "nested arcs" : "nested arcs apart") + ending;
 }
 
 double full_turn(ParticleKind kind) { return kind == ParticleKind::curved ? 2 * pi : pi; }
@@ -133,11 +134,11 @@ PairConfiguration reported_configuration(const PairConfiguration& pair, Particle
 }
 
 std::string configuration_name(const PairConfiguration& pair, ParticleKind kind,
-                               double aspect_ratio, int common) {
+                               const ChainShape& shape, int common) {
   const double turn = std::abs(pair.angle) / degree;
   if (kind == ParticleKind::sphere) return sphere_name(pair.along, common);
-  return kind == ParticleKind::curved ? curved_name(pair, turn)
-                                      : straight_name(pair, turn, aspect_ratio);
+  return kind == ParticleKind::curved ? curved_name(pair, turn, shape.curvature_angle)
+                                      : straight_name(pair, turn, shape.aspect_ratio);
 }
 
 ChainShape shape_of_body(int spheres, double aspect_ratio, double nominal_diameter, double diameter,

@@ -45,9 +45,10 @@ double angle_from(double reference, double angle, ParticleKind kind);
 PairConfiguration reported_configuration(const PairConfiguration& pair, ParticleKind kind);
 
 /// Returns the name of a reported configuration in plain words, by the rules of postproc/README.md
-/// (Definitions); `common`: of two spheres, how many others are next to both.
+/// (Definitions); `shape`: of the particles, `common`: of two spheres, how many others are next to
+/// both.
 std::string configuration_name(const PairConfiguration& pair, ParticleKind kind,
-                               double aspect_ratio, int common);
+                               const ChainShape& shape, int common);
 
 /// Makes the shape of a particle of the bodies' dump: so many `spheres`, l_axial = `aspect_ratio`
 /// `nominal_diameter`, drawn `diameter`, arc angle `curvature` (rad); lengths in one unit.

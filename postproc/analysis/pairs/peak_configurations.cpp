@@ -173,7 +173,7 @@ PeakConfiguration PeakSample::describe(const std::vector<std::size_t>& members,
   result.common_neighbours /= result.pairs;
   result.distance = std::hypot(mean.along, mean.across);
   result.pair = reported_configuration(mean, kind_);
-  result.name = configuration_name(result.pair, kind_, shape_->aspect_ratio, pairs_[summit].common);
+  result.name = configuration_name(result.pair, kind_, *shape_, pairs_[summit].common);
   return result;
 }
 
