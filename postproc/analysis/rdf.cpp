@@ -14,6 +14,7 @@ namespace {
 // The view of the points that nanoflann asks for.
 struct Points {
   std::vector<double> x, y;
+  std::vector<std::size_t> particle;         // place in the packing
   std::vector<bool> is_centre, is_original;  // not original: a periodic image
   std::size_t kdtree_get_point_count() const { return x.size(); }
   double kdtree_get_pt(std::size_t i, std::size_t axis) const { return axis == 0 ? x[i] : y[i]; }
@@ -71,6 +72,7 @@ Points points_inside(const Packing& packing, const Rectangle& window, const Rect
     const auto add_point = [&](double x, bool is_original) {
       points.x.push_back(x);
       points.y.push_back(packing.y[i]);
+      points.particle.push_back(i);
       points.is_centre.push_back(is_centre);
       points.is_original.push_back(is_original);
     };
@@ -96,28 +98,24 @@ std::vector<double> ring_areas(const Rectangle& box, double x, double y, double 
   return areas;
 }
 
-// Pairs of a centre and a neighbour, one number per bin; adds their variance to `variance`.
-std::vector<double> count_pairs(const Points& points, const std::vector<std::size_t>& centres,
-                                double bin, std::vector<double>& variance) {
+// Calls visit(i, j, bin) for the points i, a centre, and j, its neighbour, of every pair.
+template <class Visit>
+void for_pairs(const Points& points, const std::vector<std::size_t>& centres, double bin,
+               std::size_t bins, Visit visit) {
   using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
                                                    Points, 2, std::size_t>;
   const Tree tree(2, points, nanoflann::KDTreeSingleIndexAdaptorParams(10));
   const nanoflann::SearchParams any_order(32, 0.F, false);
-  const auto bins = variance.size();
   const double reach = bin * static_cast<double>(bins);
-  std::vector<double> pairs(bins, 0);
   std::vector<std::pair<std::size_t, double>> found;
   for (const auto i : centres) {
     const double at[2] = {points.x[i], points.y[i]};
     tree.radiusSearch(at, reach * reach, found, any_order);
     for (const auto& [j, squared] : found) {
       const auto k = static_cast<std::size_t>(std::sqrt(squared) / bin);
-      if (j == i || k >= bins) continue;
-      pairs[k] += 1;
-      variance[k] += points.is_centre[j] ? 2 : 1;
+      if (j != i && k < bins) visit(i, j, k);
     }
   }
-  return pairs;
 }
 
 // Relative variance of G from the scatter of rho, one number per bin. rho comes from the region,
@@ -140,6 +138,51 @@ std::vector<double> density_spread(const Points& points, std::size_t centres,
   return spread;
 }
 
+std::size_t bins_of(const RdfOptions& options) {
+  return static_cast<std::size_t>(std::ceil(options.largest_distance / options.bin_width - 1e-9));
+}
+
+// What of a packing G(r) looks at.
+struct FieldOfView {
+  double margin;  // of the region from walls and surface, m
+  bool reduced;   // it had to shrink
+  Rectangle region, window;
+  Points points;
+  std::vector<std::size_t> centres;
+};
+
+std::pair<double, bool> margin_of(const Packing& packing, const RdfOptions& options) {
+  const auto& walls = packing.walls;
+  if (options.margin >= 0) return {options.margin * packing.particle_diameter, false};
+  const double margin = (10 + packing.aspect_ratio) * packing.particle_diameter;
+  double extent = packing.surface - walls.floor;
+  if (walls.sides) extent = std::min(extent, walls.width());
+  return {std::min(margin, extent / 3), margin > extent / 3};
+}
+
+FieldOfView field_of_view(const Packing& packing, const RdfOptions& options) {
+  const double d = packing.particle_diameter;
+  const auto& walls = packing.walls;
+  const double reach = options.bin_width * d * static_cast<double>(bins_of(options));
+  if (!walls.sides && reach > walls.width() / 2)
+    throw DataError("the largest distance, " + number_text(reach / d, 4) +
+                    " d_p, exceeds half of the period in x, " +
+                    number_text(walls.width() / 2 / d, 4) + " d_p");
+
+  const auto [margin, reduced] = margin_of(packing, options);
+  const Rectangle region = inset_bed(packing, margin);
+  const Rectangle window = inset_bed(packing, std::min(packing.axial_length(), margin));
+  Points points = points_inside(packing, window, region, reach);
+  auto centres = points.centres();
+  if (centres.size() < 2 || region.right <= region.left || region.top <= region.bottom)
+    throw TooFewParticles("RDF: fewer than 2 particles lie further than " +
+                          number_text(margin / d, 4) +
+                          " d_p from the walls and from the surface of the bed, which is " +
+                          number_text(walls.width() / d, 4) + " d_p wide and " +
+                          number_text((packing.surface - walls.floor) / d, 4) + " d_p high");
+  return {margin, reduced, region, window, std::move(points), std::move(centres)};
+}
+
 }  // namespace
 
 double quarter_disc_area(double r, double a, double b) {
@@ -156,56 +199,31 @@ double quarter_disc_area(double r, double a, double b) {
 }
 
 RdfSample::RdfSample(const RdfOptions& options) : options_(options) {
-  const auto bins =
-      static_cast<std::size_t>(std::ceil(options.largest_distance / options.bin_width - 1e-9));
+  const auto bins = bins_of(options);
   pairs_.assign(bins, 0);
   variance_.assign(bins, 0);
   density_variance_.assign(bins, 0);
   expected_.assign(bins, 0);
 }
 
-double RdfSample::margin_of(const Packing& packing) {
-  const auto& walls = packing.walls;
-  if (options_.margin >= 0) return options_.margin * packing.particle_diameter;
-  const double margin = (10 + packing.aspect_ratio) * packing.particle_diameter;
-  double extent = packing.surface - walls.floor;
-  if (walls.sides) extent = std::min(extent, walls.width());
-  if (!(margin > extent / 3)) return margin;
-  margin_reduced_ = true;
-  return extent / 3;
-}
-
 void RdfSample::add(const Packing& packing) {
-  const double d = packing.particle_diameter;
-  const auto& walls = packing.walls;
-  const double bin = options_.bin_width * d;
-  const double reach = bin * static_cast<double>(pairs_.size());
-  if (!walls.sides && reach > walls.width() / 2)
-    throw DataError("the largest distance, " + number_text(reach / d, 4) +
-                    " d_p, exceeds half of the period in x, " +
-                    number_text(walls.width() / 2 / d, 4) + " d_p");
-
-  const double margin = margin_of(packing);
-  Rectangle region = inset_bed(packing, margin);
-  Rectangle window = inset_bed(packing, std::min(packing.axial_length(), margin));
-  const Points points = points_inside(packing, window, region, reach);
-  const auto centres = points.centres();
-  if (centres.size() < 2 || region.right <= region.left || region.top <= region.bottom)
-    throw TooFewParticles("RDF: fewer than 2 particles lie further than " +
-                          number_text(margin / d, 4) +
-                          " d_p from the walls and from the surface of the bed, which is " +
-                          number_text(walls.width() / d, 4) + " d_p wide and " +
-                          number_text((packing.surface - walls.floor) / d, 4) + " d_p high");
+  const double bin = options_.bin_width * packing.particle_diameter;
+  const auto bins = pairs_.size();
+  auto [margin, reduced, region, window, points, centres] = field_of_view(packing, options_);
   const double region_area = region.area();
   const double density = static_cast<double>(centres.size()) / region_area;
-  if (!walls.sides)  // endless in x
+  if (!packing.walls.sides)  // endless in x
     for (auto* rectangle : {&region, &window}) {
-      rectangle->left -= 2 * reach;
-      rectangle->right += 2 * reach;
+      rectangle->left -= 2 * bin * static_cast<double>(bins);
+      rectangle->right += 2 * bin * static_cast<double>(bins);
     }
 
-  const auto bins = pairs_.size();
-  const auto pairs = count_pairs(points, centres, bin, variance_);
+  std::vector<double> pairs(bins, 0);
+  const auto& is_centre = points.is_centre;
+  for_pairs(points, centres, bin, bins, [&](std::size_t, std::size_t j, std::size_t k) {
+    pairs[k] += 1;
+    variance_[k] += is_centre[j] ? 2 : 1;
+  });
   std::vector<double> rings(bins, 0);
   for (const auto i : centres) {
     const auto areas = ring_areas(window, points.x[i], points.y[i], bin, bins);
@@ -219,7 +237,9 @@ void RdfSample::add(const Packing& packing) {
   }
   centres_ += centres.size();
   region_area_ += region_area;
-  margin_ = margin_ < 0 ? margin / d : std::min(margin_, margin / d);
+  margin_reduced_ = margin_reduced_ || reduced;
+  margin /= packing.particle_diameter;
+  margin_ = margin_ < 0 ? margin : std::min(margin_, margin);
 }
 
 Rdf RdfSample::result() const {
@@ -248,6 +268,18 @@ Rdf RdfSample::result() const {
   rdf.tail_standard_error =
       expected > 0 ? std::sqrt(variance + density_error * density_error) / expected : 0;
   return rdf;
+}
+
+void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_t first,
+                   std::size_t last, const std::function<void(const RdfPair&)>& visit) {
+  const auto view = field_of_view(packing, options);
+  const auto& points = view.points;
+  for_pairs(points, view.centres, options.bin_width * packing.particle_diameter, bins_of(options),
+            [&](std::size_t i, std::size_t j, std::size_t bin) {
+              if (bin < first || bin > last) return;
+              visit({points.particle[i], points.particle[j], points.x[j] - points.x[i],
+                     points.y[j] - points.y[i], points.is_centre[j]});
+            });
 }
 
 void write_rdf_table(const Rdf& rdf, const std::string& file) {

@@ -2,6 +2,7 @@
 #ifndef RODPACK_ANALYSIS_RDF_H
 #define RODPACK_ANALYSIS_RDF_H
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,6 @@ class RdfSample {
   Rdf result() const;
 
  private:
-  double margin_of(const Packing& packing);  // m; notes whether it had to shrink
-
   RdfOptions options_;
   std::vector<double> pairs_;
   std::vector<double> variance_;  // of pairs_: a pair of two centres is one event that counts twice
@@ -62,6 +61,18 @@ class RdfSample {
   double margin_ = -1;
   bool margin_reduced_ = false;
 };
+
+/// A pair of particles that RdfSample counts.
+struct RdfPair {
+  std::size_t centre, neighbour;  // places in the packing
+  double dx, dy;                  // from the centre to the neighbour (the image seen), m
+  bool both_centres;              // it is counted a second time, from the other end
+};
+/// Calls `visit` for every pair that RdfSample counts in the bins `first` to `last`, both included,
+/// centre by centre in the packing's order.
+/// @throws TooFewParticles, DataError as RdfSample::add().
+void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_t first,
+                   std::size_t last, const std::function<void(const RdfPair&)>& visit);
 
 /// Returns the area of the part of a disc (radius r, centre at the origin) with 0 <= x <= a and
 /// 0 <= y <= b; lengths in one unit, the area in its square.

@@ -3,21 +3,53 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
+
+#include "analysis/pairs/peak_configurations.h"
 
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "figures/pairs/peak_figure.h"
 #include "figures/rdf_figure.h"
 #include "reading/number_text.h"
 
 namespace rodpack::cli {
+namespace {
+
+struct RdfCommand {
+  Input input;
+  RdfOptions rdf;
+  std::optional<double> explain, explain_width;  // d_p
+  std::string stem = "rdf";
+};
+
+PeakExplanation explain_peak(const RdfCommand& options, const Rdf& rdf) {
+  PeakSample sample(options.rdf, find_rdf_peak(rdf, *options.explain, options.explain_width));
+  options.input.for_frames(
+      [&](const Frame& frame) { sample.add(frame, read_packing(frame, options.input.packing)); });
+  return sample.result();
+}
+
+void write_explanation(const PeakExplanation& explanation, const Rdf& rdf,
+                       const std::string& stem) {
+  const auto& peak = explanation.peak;
+  write_peak_table(explanation, stem + ".csv");
+  plot_peak(rdf, explanation, stem);
+  std::cout << "pairs at " << number_text(peak.from, 4) << " to " << number_text(peak.to, 4)
+            << " d_p, highest G = " << number_text(peak.g, 3) << " at "
+            << number_text(peak.summit, 4) << ": " << number_text(explanation.pairs) << ", "
+            << number_text(100 * explanation.touching_share, 3) << " % touch\n";
+  for (const auto& each : explanation.configurations)
+    std::cout << "  " << number_text(100 * each.share, 3) << " %  " << each.name << ", spread "
+              << number_text(each.spread, 2) << " d_p\n";
+  std::cout << "  " << number_text(100 * explanation.other_share, 3) << " %  other\n"
+            << "written: " << stem << ".csv .png .svg\n";
+}
+
+}  // namespace
 
 void add_rdf(CLI::App& app) {
-  struct Options {
-    Input input;
-    RdfOptions rdf;
-    std::string stem = "rdf";
-  };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RdfCommand>();
   auto* command = app.add_subcommand(
       "rdf",
       "Radial distribution function G(r) of the centres of mass. Centres lie "
@@ -28,7 +60,10 @@ void add_rdf(CLI::App& app) {
   command->footer(
       "Example:\n"
       "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --r-max 15\n"
-      "writes rdf.csv and rdf.png/.svg.");
+      "writes rdf.csv and rdf.png/.svg.\n"
+      "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --explain 1.7\n"
+      "says in rdf_explained.csv and .png/.svg how the pairs of the peak near 1.7 d_p lie. To pool "
+      "runs, name\nthe last dump of each and add --all-frames.");
   add_files(*command, options->input, "bodies");
   add_all_frames(*command, options->input);
   add_packing_options(*command, options->input);
@@ -46,6 +81,20 @@ void add_rdf(CLI::App& app) {
                    "most a third of the bed's smaller extent]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("R");
+  auto* explain =
+      command
+          ->add_option("--explain", options->explain,
+                       "distance in d_p: find the configurations of the pairs of the peak of G(r) "
+                       "next to it")
+          ->check(CLI::NonNegativeNumber)
+          ->type_name("R");
+  command
+      ->add_option("--explain-width", options->explain_width,
+                   "explain all bins within so many d_p of that distance, peak or not [default: "
+                   "the peak's bins above half its prominence]")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("DR")
+      ->needs(explain);
   add_output(*command, options->stem);
 
   command->callback([options] {
@@ -57,6 +106,9 @@ void add_rdf(CLI::App& app) {
       setting = describe(packing);
     });
     const auto rdf = sample.result();
+    std::optional<PeakExplanation>
+        explanation;  // a wrong distance shows before anything is written
+    if (options->explain) explanation = explain_peak(*options, rdf);
     write_rdf_table(rdf, options->stem + ".csv");
     plot_rdf(rdf, options->stem);
     std::cout << setting << '\n'
@@ -66,6 +118,7 @@ void add_rdf(CLI::App& app) {
               << "last quarter of r: G = " << number_text(rdf.tail_g, 4) << " +- "
               << number_text(rdf.tail_standard_error, 2) << '\n'
               << "written: " << options->stem << ".csv .png .svg\n";
+    if (explanation) write_explanation(*explanation, rdf, options->stem + "_explained");
   });
 }
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/pairs/touching_chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "analysis/pairs/pair_configuration.h"
+
+namespace rodpack {
+
+TouchingChains::TouchingChains(const Frame& bodies, const Packing& packing)
+    : radius_(bodies.column("radius")),
+      gap_(1e-4 * packing.particle_diameter),
+      next_(0.1 * packing.particle_diameter) {
+  const auto& spheres = bodies.column("nspheres");
+  const auto& half_length = bodies.column("half_length");
+  const double d = packing.particle_diameter;
+  for (std::size_t i = 0; i < packing.size(); ++i) {
+    try {
+      const auto shape = shape_of_body(static_cast<int>(spheres[i]), 2 * half_length[i] / d, d,
+                                       2 * radius_[i], packing.curvature[i]);
+      const double c = std::cos(packing.angle[i]), s = std::sin(packing.angle[i]);
+      centres_.emplace_back();
+      for (const auto& [x, y] : sphere_centres(shape))
+        centres_.back().push_back({{c * x - s * y, s * x + c * y}});
+    } catch (const std::invalid_argument& reason) {
+      throw DataError(bodies.file + ": particle in row " + std::to_string(i + 1) + " of timestep " +
+                      std::to_string(bodies.timestep) + ": " + reason.what());
+    }
+  }
+  find_neighbours(packing);
+}
+
+bool TouchingChains::touch(std::size_t i, std::size_t j, double dx, double dy) const {
+  return nearer(i, j, dx, dy, gap_);
+}
+
+bool TouchingChains::nearer(std::size_t i, std::size_t j, double dx, double dy, double gap) const {
+  const double limit = radius_[i] + radius_[j] + gap;
+  for (const auto& a : centres_[i])
+    for (const auto& b : centres_[j]) {
+      const double x = dx + b[0] - a[0], y = dy + b[1] - a[1];
+      if (x * x + y * y <= limit * limit) return true;
+    }
+  return false;
+}
+
+int TouchingChains::common_neighbours(std::size_t i, std::size_t j) const {
+  std::vector<std::size_t> common;
+  std::set_intersection(neighbours_[i].begin(), neighbours_[i].end(), neighbours_[j].begin(),
+                        neighbours_[j].end(), std::back_inserter(common));
+  return static_cast<int>(common.size());
+}
+
+// Sweeps from the bottom up, so that only particles of about the same height are compared.
+void TouchingChains::find_neighbours(const Packing& packing) {
+  double extent = 0;  // largest distance of a particle's rim from its centre of mass
+  for (std::size_t i = 0; i < centres_.size(); ++i)
+    for (const auto& [x, y] : centres_[i]) extent = std::max(extent, std::hypot(x, y) + radius_[i]);
+  const double reach = 2 * extent + next_;
+  std::vector<std::size_t> order(packing.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return packing.y[a] < packing.y[b]; });
+  neighbours_.resize(packing.size());
+  const double period = packing.walls.sides ? 0 : packing.walls.width();
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::size_t m = k + 1; m < order.size(); ++m) {
+      const auto i = order[k], j = order[m];
+      const double dy = packing.y[j] - packing.y[i];
+      if (dy > reach) break;
+      double dx = packing.x[j] - packing.x[i];
+      if (period > 0) dx = std::remainder(dx, period);
+      if (std::abs(dx) > reach || !nearer(i, j, dx, dy, next_)) continue;
+      neighbours_[i].push_back(j);
+      neighbours_[j].push_back(i);
+    }
+  for (auto& each : neighbours_) std::sort(each.begin(), each.end());
+}
+
+}  // namespace rodpack

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_ANALYSIS_PAIRS_TOUCHING_CHAINS_H
+#define RODPACK_ANALYSIS_PAIRS_TOUCHING_CHAINS_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "reading/dump.h"
+#include "reading/packing.h"
+
+namespace rodpack {
+
+/// Which particles of a frame touch, from their shapes: two of their spheres are at most d_p/10^4
+/// apart, less than the weight of one particle presses them together.
+class TouchingChains {
+ public:
+  /// @throws DataError naming the dump when a column is missing or a particle has no valid shape.
+  TouchingChains(const Frame& bodies, const Packing& packing);
+  /// Whether particle j touches i when its centre of mass lies (dx, dy) from that of i, m.
+  bool touch(std::size_t i, std::size_t j, double dx, double dy) const;
+  /// How many particles are next to both i and j, with a gap below d_p/10: the spread of sizes
+  /// leaves gaps of that order in an arrangement that would touch. Across a periodic border counts
+  /// too.
+  int common_neighbours(std::size_t i, std::size_t j) const;
+
+ private:
+  bool nearer(std::size_t i, std::size_t j, double dx, double dy, double gap) const;
+  void find_neighbours(const Packing& packing);
+
+  std::vector<std::vector<std::array<double, 2>>> centres_;  // of the spheres, from that of mass, m
+  std::vector<double> radius_;                               // m
+  double gap_;                                               // largest that counts as touching, m
+  double next_;  // largest of particles that are next to each other, m
+  std::vector<std::vector<std::size_t>> neighbours_;  // in ascending order
+};
+
+}  // namespace rodpack
+
+#endif
