@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "figures/figure.h"
 #include "reading/number_text.h"
@@ -119,19 +120,36 @@ PanelSheet rdf_sheet() {
   return sheet;
 }
 
+// A place for the name of a peak at `x` beside the names at the places `taken` (of name and peak),
+// in the order of their peaks; none when there is no room near `x`.
+std::optional<double> free_place(double x, const std::vector<std::pair<double, double>>& taken,
+                                 double room) {
+  for (const double shift : {0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0}) {
+    const double place = x + shift * room;
+    if (std::all_of(taken.begin(), taken.end(), [&](const std::pair<double, double>& other) {
+          return std::fabs(place - other.first) >= room &&
+                 (place < other.first) == (x < other.second);
+        }))
+      return place;
+  }
+  return std::nullopt;
+}
+
 // Names peaks in a strip of the panel by their position, the most prominent of those that have
 // room.
 void name_peaks(const PanelSheet& sheet, Panel& panel, const Series& series,
                 const std::vector<Peak>& peaks, bool top) {
-  const double room = 0.85 * (sheet.x_high - sheet.x_low) / sheet.panel_width;  // a letter's height
+  const double letter = 0.75 * (sheet.x_high - sheet.x_low) / sheet.panel_width;
   std::vector<Peak> by_prominence = peaks;
   std::sort(by_prominence.begin(), by_prominence.end(),
             [](const Peak& a, const Peak& b) { return a.prominence > b.prominence; });
-  for (const auto& peak : by_prominence)
-    if (std::none_of(panel.names.begin(), panel.names.end(), [&](const PlaceName& name) {
-          return name.top == top && std::abs(name.x - peak.position) < room;
-        }))
-      panel.names.push_back({peak.position, top, fixed_text(peak.position, 2), series.colour});
+  std::vector<std::pair<double, double>> taken;
+  for (const auto& peak : by_prominence) {
+    const auto place = free_place(peak.position, taken, letter);
+    if (!place) continue;
+    taken.push_back({*place, peak.position});
+    panel.names.push_back({*place, top, fixed_text(peak.position, 2), series.colour});
+  }
 }
 
 std::string peak_rows(const EnsembleCase& each, const std::vector<Peak>& peaks) {

@@ -221,7 +221,7 @@ std::string axes_of(const PanelSheet& sheet, const Panel& panel, const Layout& l
                      "' at graph " + titles[static_cast<int>(sheet.title_at)] + " front\n";
   int number = 4;
   for (const auto& name : panel.names)
-    text += "set label " + std::to_string(number++) + " '{/*0.8 " + name.text + "}' at first " +
+    text += "set label " + std::to_string(number++) + " '{/*0.7 " + name.text + "}' at first " +
             number_text(name.x) + ",graph " + (name.top ? "0.985 right" : "0.015 left") +
             " rotate by 90 front textcolor '" + name.colour + "'\n";
   return text;
