@@ -209,7 +209,7 @@ std::string axes_of(const PanelSheet& sheet, const Panel& panel, const Layout& l
                                        [](const PlaceName& name) { return name.top; });
   const std::string level = names_above ? "0.78" : "0.91";
   const std::string titles[] = {"0.04,graph " + level + " left", "0.5,graph " + level + " center",
-                                "0.96,graph " + level + " right"};
+                                "0.96,graph " + level + " right", "0.5,graph 0.1 center"};
   std::string text = "set lmargin at screen " + layout.across(x0) + "\nset rmargin at screen " +
                      layout.across(x0 + layout.panel_width) + "\nset bmargin at screen " +
                      layout.up(y0) + "\nset tmargin at screen " +

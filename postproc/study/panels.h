@@ -37,7 +37,7 @@ struct PlaceName {
   std::string colour;
 };
 
-enum class Corner { left, middle, right };
+enum class Corner { left, middle, right, low };
 
 struct Panel {
   std::string title;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "study/pressure.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "study/study_case.h"
 
@@ -45,6 +47,55 @@ std::optional<JanssenFit> janssen_of(const EnsembleCase& each, std::string& why)
     why = each.name + ": " + reason.what();
     return std::nullopt;
   }
+}
+
+std::optional<double> usable_depth(const EnsembleCase* each) {
+  const auto profile = each ? mean_profile(*each) : std::nullopt;
+  if (!profile) return std::nullopt;
+  const double end = (profile->depth_of_floor - 3 * profile->scale) / profile->particle_diameter;
+  if (!(end > 0)) return std::nullopt;
+  return end;
+}
+
+EnsembleMean mean_pressure(const EnsembleCase& each, double from, double to) {
+  const auto& curve = *curve_of(&each, "profile.pressure_N_m");
+  EnsembleMean mean;
+  double sem = 0;
+  bool errors = true;
+  int count = 0;
+  for (std::size_t k = 0; k < curve.x.size(); ++k) {
+    const auto& value = curve.y[k];
+    if (curve.x[k] < from || curve.x[k] > to || value.n == 0) continue;
+    mean.mean += value.mean;
+    errors = errors && value.sem;
+    sem += value.sem.value_or(0);
+    mean.n = count == 0 ? value.n : std::min(mean.n, value.n);
+    ++count;
+  }
+  if (count == 0) return {};
+  mean.mean /= count;
+  if (errors) mean.sem = sem / count;
+  return mean;
+}
+
+PressureOverTheta pressure_over_theta(const Ensemble& ensemble, double aspect_ratio) {
+  PressureOverTheta result;
+  std::vector<double> angles{0};
+  for (const double theta : opening_angles(ensemble, aspect_ratio)) angles.push_back(theta);
+  std::vector<const EnsembleCase*> cases;
+  result.to = std::numeric_limits<double>::infinity();
+  for (const double theta : angles) {
+    const auto* each = curved_case(ensemble, aspect_ratio, theta);
+    const auto depth = usable_depth(each);
+    if (!depth) continue;
+    cases.push_back(each);
+    result.theta.push_back(theta);
+    result.to = std::min(result.to, *depth);
+  }
+  result.from = result.to / 2;
+  for (const auto* each : cases)
+    result.pressure.push_back(mean_pressure(*each, result.from, result.to));
+  return result;
 }
 
 }  // namespace rodpack

@@ -3,36 +3,13 @@
 
 #include "figures/figure.h"
 #include "reading/number_text.h"
-#include "study/panels.h"
+#include "study/case_panels.h"
 #include "study/published.h"
-#include "study/study_case.h"
-#include "study/study_figures.h"
 
 namespace rodpack {
 namespace {
 
 const char* const solid_fraction = "solid_fraction";
-
-void add_point(Series& series, double x, const EnsembleMean* value) {
-  if (!value) return;
-  series.x.push_back(x);
-  series.y.push_back(value->mean);
-  series.sem.push_back(value->sem.value_or(0));
-}
-
-// Room beside the outermost points, so that they do not lie on the frame.
-void fit_x(PanelSheet& sheet) {
-  double low = 1e300, high = -1e300;
-  for (const auto& panel : sheet.panels)
-    for (const auto& series : panel.series)
-      for (const double x : series.x) {
-        low = std::min(low, x);
-        high = std::max(high, x);
-      }
-  const double room = high > low ? 0.06 * (high - low) : 1;
-  sheet.x_low = low - room;
-  sheet.x_high = high + room;
-}
 
 // Published values of the straight cases of one surface, beside the measured ones.
 Series published_series(const std::vector<PublishedValue>& published, Surface surface) {
@@ -77,8 +54,8 @@ StudyFigure draw_solid_fraction_over_theta(const Ensemble& ensemble, const std::
     auto angles = opening_angles(ensemble, aspect_ratio);
     angles.insert(angles.begin(), 0);
     for (const double theta : angles)
-      add_point(series, theta,
-                number_of(curved_case(ensemble, aspect_ratio, theta), solid_fraction));
+      if (const auto* mean = number_of(curved_case(ensemble, aspect_ratio, theta), solid_fraction))
+        add_point(series, theta, *mean);
     panel.series.push_back(series);
   }
   sheet.panels.push_back(panel);
@@ -110,10 +87,9 @@ StudyFigure draw_solid_fraction_over_aspect_ratio(const Ensemble& ensemble,
   for (const bool coarse : {true, false}) {
     Series series = with_look({}, coarse);
     for (const double aspect_ratio : aspect_ratios(ensemble, false))
-      add_point(series, aspect_ratio,
-                number_of(straight_case(ensemble, coarse ? Surface::coarse : Surface::smooth,
-                                        aspect_ratio),
-                          solid_fraction));
+      if (const auto* mean =
+              number_of(straight_case(ensemble, surface_of(coarse), aspect_ratio), solid_fraction))
+        add_point(series, aspect_ratio, *mean);
     any = any || !series.x.empty();
     panel.series.push_back(series);
   }

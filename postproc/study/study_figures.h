@@ -41,15 +41,21 @@ StudyFigure draw_curved_rdf(const Ensemble& ensemble, const std::string& out);
 StudyFigure draw_pressure(const Ensemble& ensemble, const std::string& out);
 /// Fig. 10: P_0(h), curved particles.
 StudyFigure draw_curved_pressure(const Ensemble& ensemble, const std::string& out);
+/// For what the paper says of stress and curvature: P_0 in the lower part of the bed over theta.
+StudyFigure draw_pressure_over_theta(const Ensemble& ensemble, const std::string& out);
 /// Fig. 6a: solid fraction over theta.
 StudyFigure draw_solid_fraction_over_theta(const Ensemble& ensemble, const std::string& out);
 /// The solid fraction over AR, beside published values.
 StudyFigure draw_solid_fraction_over_aspect_ratio(const Ensemble& ensemble,
                                                   const std::vector<PublishedValue>& published,
                                                   const std::string& out);
-/// Fig. 2: maps of the solid fraction, a panel per case, and over the height in the central slice.
-std::vector<StudyFigure> draw_solid_fraction_maps(const Ensemble& ensemble,
-                                                  const std::string& study, const std::string& out);
+/// Fig. 2: maps of the mean solid fraction of straight particles, a panel per case, from the tables
+/// CASE_fields.csv that `rodpack ensemble` has left in `out`.
+StudyFigure draw_solid_fraction_maps(const Ensemble& ensemble, const std::string& out);
+/// Fig. 2: the solid fraction over the height in the central slice, straight particles.
+StudyFigure draw_slice(const Ensemble& ensemble, const std::string& out);
+/// The same, curved particles.
+StudyFigure draw_curved_slice(const Ensemble& ensemble, const std::string& out);
 /// Fig. 1: packings coloured by contact force; Fig. 6b: a packing with its voids.
 std::vector<StudyFigure> draw_packings(const Ensemble& ensemble, const std::string& study,
                                        const std::string& out);

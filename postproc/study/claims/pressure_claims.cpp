@@ -13,39 +13,6 @@ namespace {
 // Two pressures that differ by less than this part of their mean are alike.
 constexpr double alike = 0.1;
 
-// Depth from which the floor is nearer than 3 w, in d_p: the end of what is compared. None without
-// a profile.
-std::optional<double> usable_depth(const EnsembleCase* each) {
-  const auto profile = each ? mean_profile(*each) : std::nullopt;
-  if (!profile) return std::nullopt;
-  const double end = (profile->depth_of_floor - 3 * profile->scale) / profile->particle_diameter;
-  if (!(end > 0)) return std::nullopt;
-  return end;
-}
-
-// Mean of P_0 over depths, d_p. Its standard error is the mean of those of the depths, as if all
-// shared one deviation: an upper bound.
-EnsembleMean mean_pressure(const EnsembleCase& each, double from, double to) {
-  const auto& curve = *curve_of(&each, "profile.pressure_N_m");
-  EnsembleMean mean;
-  double sem = 0;
-  bool errors = true;
-  int count = 0;
-  for (std::size_t k = 0; k < curve.x.size(); ++k) {
-    const auto& value = curve.y[k];
-    if (curve.x[k] < from || curve.x[k] > to || value.n == 0) continue;
-    mean.mean += value.mean;
-    errors = errors && value.sem;
-    sem += value.sem.value_or(0);
-    mean.n = count == 0 ? value.n : std::min(mean.n, value.n);
-    ++count;
-  }
-  if (count == 0) return {};
-  mean.mean /= count;
-  if (errors) mean.sem = sem / count;
-  return mean;
-}
-
 std::string part_text(const EnsembleMean& mean) { return in_words(mean.mean, mean.sem) + " N/m"; }
 
 Claim spheres_saturate(const Ensemble& ensemble) {
@@ -152,26 +119,13 @@ Claim stress_rises_with_theta(const Ensemble& ensemble, double aspect_ratio) {
   claim.text = "The stress rises with theta for AR = " + ratio;
   claim.measured = "growth of P_0 in the lower half of the common depths per degree of theta, N/m";
   claim.test = "slope over its standard error: Student's t around 0 if theta changes nothing";
-  std::vector<double> angles{0}, x;
-  for (const double theta : opening_angles(ensemble, aspect_ratio)) angles.push_back(theta);
-  double end = INFINITY;
-  std::vector<const EnsembleCase*> cases;
-  for (const double theta : angles) {
-    const auto* each = curved_case(ensemble, aspect_ratio, theta);
-    const auto depth = usable_depth(each);
-    if (!depth) continue;
-    cases.push_back(each);
-    x.push_back(theta);
-    end = std::min(end, *depth);
-  }
-  if (x.size() < 2)
+  const auto over_theta = pressure_over_theta(ensemble, aspect_ratio);
+  if (over_theta.theta.size() < 2)
     return not_tested(claim, "two of smooth-AR" + ratio + " and curved-AR" + ratio + "-theta...");
-  std::vector<EnsembleMean> means;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    means.push_back(mean_pressure(*cases[k], end / 2, end));
-    claim.remark += (k ? ", " : "") + number_text(x[k], 4) + " deg " + part_text(means.back());
-  }
-  judge_above(claim, slope_of(x, means));
+  for (std::size_t k = 0; k < over_theta.theta.size(); ++k)
+    claim.remark += (k ? ", " : "") + number_text(over_theta.theta[k], 4) + " deg " +
+                    part_text(over_theta.pressure[k]);
+  judge_above(claim, slope_of(over_theta.theta, over_theta.pressure));
   return claim;
 }
 
