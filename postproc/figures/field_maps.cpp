@@ -12,15 +12,6 @@
 namespace rodpack {
 namespace {
 
-// Returns gnuplot's command for a palette of the same colours as our own drawings.
-std::string palette_command() {
-  std::string text = "set palette defined (";
-  for (std::size_t k = 0; k < viridis.size(); ++k)
-    text += (k ? ", " : "") + std::to_string(k) + " '" +
-            palette_colour(viridis, static_cast<double>(k) / (viridis.size() - 1)) + "'";
-  return text + ")\n";
-}
-
 // Draws a map of `values` over the grid, lengths in d_p; `over` is drawn on top of it.
 void plot_map(const Grid& grid, const std::vector<double>& values, double lowest,
               const std::string& label, const Packing& packing, const std::string& blocks,
@@ -50,6 +41,14 @@ void plot_map(const Grid& grid, const std::vector<double>& values, double lowest
 }
 
 }  // namespace
+
+std::string palette_command() {
+  std::string text = "set palette defined (";
+  for (std::size_t k = 0; k < viridis.size(); ++k)
+    text += (k ? ", " : "") + std::to_string(k) + " '" +
+            palette_colour(viridis, static_cast<double>(k) / (viridis.size() - 1)) + "'";
+  return text + ")\n";
+}
 
 void plot_solid_fraction_map(const CoarseGraining& averages, const std::vector<Field>& fields,
                              const Packing& packing, const std::string& stem) {

@@ -8,6 +8,9 @@
 
 namespace rodpack {
 
+/// Returns gnuplot's command for a palette of the colours of our own drawings.
+std::string palette_command();
+
 /// Draws a map of the pressure (sigma_1 + sigma_2) / 2 of the contact stress with crosses along the
 /// principal directions, arms as long as the principal values: `stem`.png and `stem`.svg. `fields`:
 /// those of `averages`; `packing` gives d_p and the origin. @throws DataError when that fails.

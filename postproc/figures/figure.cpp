@@ -53,8 +53,10 @@ std::string datablock(const std::string& name, const std::vector<std::vector<dou
   return text + "EOD\n";
 }
 
-void draw_figure(const std::string& stem, double aspect, const std::string& commands) {
-  const auto size = [aspect](double width) {
+void draw_figure(const std::string& stem, double aspect, const std::string& commands,
+                 double columns) {
+  const auto size = [&](double column) {
+    const double width = std::round(columns * column);
     return number_text(width) + "," + number_text(std::round(width / aspect));
   };
   const std::string style =
@@ -70,7 +72,8 @@ void draw_figure(const std::string& stem, double aspect, const std::string& comm
     std::filesystem::remove(stem + suffix, ignored);
     const std::string terminal =
         suffix == ".png"
-            ? "pngcairo size " + size(1600) + " font 'DejaVu Sans,34' linewidth 3 enhanced\n"
+            ? "pngcairo size " + size(1600) +
+                  " font 'DejaVu Sans,34' linewidth 3 pointscale 3.5 enhanced\n"
             : "svg size " + size(640) + " font 'DejaVu Sans,14' linewidth 1.2 enhanced\n";
     run_gnuplot("set terminal " + terminal + "set output " + quoted(stem + suffix) + "\n" + style +
                 commands);

@@ -19,10 +19,12 @@ constexpr const char* grey = "#7F7F7F";
 std::string datablock(const std::string& name, const std::vector<std::vector<double>>& columns);
 
 /// Draws `commands` with gnuplot into `stem`.png (1600 pixels wide) and `stem`.svg, both with
-/// `aspect` = width / height. No display is needed. Text: a space beside a change of font is
+/// `aspect` = width / height; `columns` times as wide with letters and lines of the same size, for
+/// figures of several panels. No display is needed. Text: a space beside a change of font is
 /// written as a no-break one (U+00A0), since SVG readers drop a plain one there.
 /// @throws DataError when gnuplot is missing or fails, or a file cannot be written.
-void draw_figure(const std::string& stem, double aspect, const std::string& commands);
+void draw_figure(const std::string& stem, double aspect, const std::string& commands,
+                 double columns = 1);
 
 }  // namespace rodpack
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "study/case_panels.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "reading/number_text.h"
+
+namespace rodpack {
+
+std::string aspect_ratio_title(double aspect_ratio) {
+  return "AR = " + number_text(aspect_ratio, 4);
+}
+
+std::string angle_title(double theta) {
+  return theta > 0 ? "{/:Italic θ} = " + number_text(theta, 4) + "°" : "straight";
+}
+
+Series curve_series(const EnsembleCase& each, const std::string& name, double factor) {
+  const auto* curve = curve_of(&each, name);
+  return curve ? series_of(*curve, factor) : Series{};
+}
+
+void add_straight_panels(PanelSheet& sheet, const Ensemble& ensemble, const SeriesOfCase& series) {
+  for (const double aspect_ratio : aspect_ratios(ensemble, false)) {
+    Panel panel;
+    panel.title = aspect_ratio_title(aspect_ratio);
+    for (const bool coarse : {true, false})
+      if (const auto* each = straight_case(ensemble, surface_of(coarse), aspect_ratio))
+        panel.series.push_back(with_look(series(*each), coarse));
+    sheet.panels.push_back(panel);
+  }
+}
+
+void add_curved_panels(PanelSheet& sheet, const Ensemble& ensemble, bool straight,
+                       const SeriesOfCase& series) {
+  std::vector<double> all{0};
+  for (const double aspect_ratio : aspect_ratios(ensemble, true))
+    for (const double theta : opening_angles(ensemble, aspect_ratio))
+      if (std::find(all.begin(), all.end(), theta) == all.end()) all.push_back(theta);
+  std::sort(all.begin(), all.end());
+  for (const double aspect_ratio : aspect_ratios(ensemble, true)) {
+    Panel panel;
+    panel.title = aspect_ratio_title(aspect_ratio);
+    for (std::size_t place = straight ? 0 : 1; place < all.size(); ++place) {
+      const auto* each = curved_case(ensemble, aspect_ratio, all[place]);
+      if (!each) continue;
+      Series line = with_look_of_place(series(*each), place);
+      line.title = angle_title(all[place]);
+      panel.series.push_back(line);
+    }
+    sheet.panels.push_back(panel);
+  }
+}
+
+void add_point(Series& series, double x, const EnsembleMean& value) {
+  if (value.n == 0) return;
+  series.x.push_back(x);
+  series.y.push_back(value.mean);
+  series.sem.push_back(value.sem.value_or(0));
+}
+
+void fit_x(PanelSheet& sheet) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& panel : sheet.panels)
+    for (const auto& series : panel.series)
+      for (const double x : series.x) {
+        low = std::min(low, x);
+        high = std::max(high, x);
+      }
+  const double room = high > low ? 0.06 * (high - low) : 1;
+  sheet.x_low = low - room;
+  sheet.x_high = high + room;
+}
+
+void without_points(PanelSheet& sheet) {
+  for (auto& panel : sheet.panels)
+    for (auto& series : panel.series) series.point = 0;
+}
+
+void fit_x_high(PanelSheet& sheet) {
+  for (const auto& panel : sheet.panels)
+    for (const auto& series : panel.series)
+      for (const double x : series.x) sheet.x_high = std::max(sheet.x_high, x);
+}
+
+StudyFigure finish(StudyFigure figure, const PanelSheet& sheet, const std::string& out,
+                   const std::string& missing) {
+  if (!draw_panels(sheet, out + "/" + figure.name)) figure.not_drawn = missing;
+  return figure;
+}
+
+}  // namespace rodpack

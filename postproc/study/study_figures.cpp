@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "study/study_figures.h"
+
+namespace rodpack {
+
+std::vector<StudyFigure> draw_study_figures(const Ensemble& ensemble, const std::string& study,
+                                            const std::string& out, const std::string& published) {
+  const auto values = read_published(find_published(published, study), ensemble);
+  write_solid_fraction_table(ensemble, values, out + "/table2");
+  std::vector<StudyFigure> figures;
+  figures.push_back(draw_solid_fraction_maps(ensemble, out));
+  figures.push_back(draw_slice(ensemble, out));
+  figures.push_back(draw_solid_fraction_over_aspect_ratio(ensemble, values, out));
+  figures.push_back(draw_orientation(ensemble, out));
+  figures.push_back(draw_rdf(ensemble, out));
+  figures.push_back(draw_pressure(ensemble, out));
+  figures.push_back(draw_solid_fraction_over_theta(ensemble, out));
+  figures.push_back(draw_curved_slice(ensemble, out));
+  figures.push_back(draw_curved_orientation(ensemble, out));
+  figures.push_back(draw_curved_rdf(ensemble, out));
+  figures.push_back(draw_curved_pressure(ensemble, out));
+  figures.push_back(draw_pressure_over_theta(ensemble, out));
+  return figures;
+}
+
+}  // namespace rodpack
