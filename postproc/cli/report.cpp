@@ -22,7 +22,10 @@ void add_report(CLI::App& app) {
   command->add_option("folder", *folder, "folder of a study, or of a run")
       ->required()
       ->type_name("FOLDER");
-  command->callback([folder] { std::cout << "written: " << write_report_page(*folder) << '\n'; });
+  command->callback([folder] {
+    const auto page = write_report_page(*folder);
+    std::cout << "written: " << page << '\n';
+  });
 }
 
 }  // namespace rodpack::cli

@@ -25,7 +25,7 @@ std::string typeset(const std::string& text) {
 }
 
 std::string data(double value, const std::string& shown) {
-  return "<data value=\"" + number_text(value, 17) + "\">" + shown + "</data>";
+  return "<data value=\"" + nlohmann::json(value).dump() + "\">" + shown + "</data>";
 }
 
 std::string with_decimals(double value, int decimals) {

@@ -69,8 +69,8 @@ std::string made_by(const Json& values) {
 }
 
 std::string lead_of(const fs::path& run, const Json& summary, const Json& parameters) {
-  std::string text =
-      number_html(summary.value("particles", 0.0), 12) + " " + particles_in_words(parameters);
+  std::string text = number_html(summary.value("particles", 0.0), 12) + " " +
+                     escaped(particles_in_words(parameters));
   if (parameters.contains("seed")) text += ", seed " + escaped(parameters["seed"].dump());
   text += ", at timestep " + number_html(summary.value("timestep", 0.0), 12);
   if (summary.contains("time_s"))

@@ -17,7 +17,7 @@ struct Wording {
 Wording wording(const std::string& key);
 
 /// Says in words what particles a run had, by its parameters.json: "smooth spherocylinders of
-/// AR = 5"; "particles" where it does not tell.
+/// AR = 5"; "particles" where it does not tell. Plain text.
 std::string particles_in_words(const nlohmann::ordered_json& parameters);
 
 }  // namespace rodpack

@@ -13,6 +13,7 @@
 #include "page/packing_data.h"
 #include "page/tables.h"
 #include "page/words.h"
+#include "reading/data_error.h"
 #include "synthetic_packing.h"
 
 namespace {
@@ -86,8 +87,7 @@ fs::path analysed_run(const fs::path& folder, double curvature = 0) {
 TEST(Html, TextCannotBecomeMarkup) {
   EXPECT_EQ(rodpack::escaped("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
   EXPECT_THAT(rodpack::data_element("x", {{"name", "</script><script>alert(1)"}}),
-              HasSubstr(R"({"name":"\u003c/script>\u003cscript>alert(1)"
-}</script>)"));
+              HasSubstr(R"~({"name":"\u003c/script>\u003cscript>alert(1)"}</script>)~"));
 }
 
 // The test vectors of RFC 4648, section 10.
@@ -104,8 +104,8 @@ TEST(Html, Base64IsThatOfItsStandard) {
 }
 
 TEST(Html, NumbersAreShownRoundedAndKeptWhole) {
-  EXPECT_EQ(rodpack::number_html(0.64439868963963177, 4),
-            "<data value=\"0.64439868963963177\">0.6444</data>");
+  EXPECT_EQ(rodpack::number_html(0.6443986896396318, 4),
+            "<data value=\"0.6443986896396318\">0.6444</data>");
   EXPECT_THAT(rodpack::number_html(-1.1e-5),
               HasSubstr(">\u22121.1\u00a0×\u00a010<sup>\u22125</sup><"));
   EXPECT_THAT(rodpack::number_html(0.00762, 3, 1e3), HasSubstr(">7.62<"));
@@ -286,8 +286,11 @@ TEST(RunPage, HoldsEveryFigureAndEveryNumberOfTheAnalysisAndNothingFromElsewhere
       EXPECT_TRUE(shown.count(value.get<double>())) << key;
     }
   EXPECT_GT(numbers, 20);
-  for (const auto& [key, value] : summary["parameters"].items())
-    if (value.is_number()) EXPECT_TRUE(shown.count(value.get<double>())) << key;
+  for (const auto& [key, value] : summary["parameters"].items()) {
+    if (value.is_number()) {
+      EXPECT_TRUE(shown.count(value.get<double>())) << key;
+    }
+  }
   for (const auto& note : summary["notes"])
     EXPECT_THAT(html, HasSubstr(rodpack::escaped(note.get<std::string>())));
 }
@@ -304,7 +307,6 @@ TEST(RunPage, IsMadeAnewByReportAndByAnalyse) {
 }
 
 TEST(RunPage, NamesCannotBreakIt) {
-  const std::string name = "a<b>&'\"c";
   const auto folder = fresh_folder() / "a<b>&\"c";
   SyntheticPacking packing;
   packing.fill();

@@ -102,13 +102,15 @@ TEST(Rooms, DependenciesOfTheStylesPointOneWay) {
 
 TEST(Rooms, DependenciesOfThePostProcessorPointOneWay) {
   // The analysis knows no picture and no deck, and starts no simulation.
-  const Rules rules = {{"reading", {}},
-                       {"analysis", {"reading"}},
-                       {"ensemble", {"reading", "analysis"}},
-                       {"figures", {"reading", "analysis"}},
-                       {"report", {"reading", "analysis", "figures"}},
-                       {"campaigns", {"reading", "analysis", "figures"}},
-                       {"cli", {"reading", "analysis", "ensemble", "figures", "report", "campaigns"}}};
+  const Rules rules = {
+      {"reading", {}},
+      {"analysis", {"reading"}},
+      {"ensemble", {"reading", "analysis"}},
+      {"figures", {"reading", "analysis"}},
+      {"report", {"reading", "analysis", "figures"}},
+      {"page", {"reading", "analysis", "ensemble", "figures", "report"}},
+      {"campaigns", {"reading", "analysis", "figures"}},
+      {"cli", {"reading", "analysis", "ensemble", "figures", "report", "page", "campaigns"}}};
   expect_one_way(repository / "postproc", rules, [&](const fs::path&, const std::string& path) {
     const std::string first = path.substr(0, path.find('/'));
     return rules.count(first) ? first : std::string();
