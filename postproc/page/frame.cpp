@@ -2,7 +2,7 @@
 #include "page/frame.h"
 
 #include <algorithm>
-#include <utility>
+#include <regex>
 
 #include "page/html.h"
 #include "page/packing_data.h"
@@ -51,19 +51,30 @@ std::string viewer_html(const std::vector<ShownPacking>& packings) {
 }
 
 std::string notes_html(const std::vector<Note>& notes) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> texts;  // in order of appearance
+  struct Item {
+    std::string pattern, text;
+    std::vector<std::string> about;
+    bool other_numbers = false;
+  };
+  std::vector<Item> items;  // in order of appearance
   for (const auto& note : notes) {
-    auto found = std::find_if(texts.begin(), texts.end(),
-                              [&](const auto& text) { return text.first == note.text; });
-    if (found == texts.end()) found = texts.insert(texts.end(), {note.text, {}});
-    if (!note.about.empty()) found->second.push_back(note.about);
+    const auto pattern = std::regex_replace(note.text, std::regex("[0-9][0-9.]*"), "#");
+    auto found = std::find_if(items.begin(), items.end(),
+                              [&](const Item& item) { return item.pattern == pattern; });
+    if (found == items.end()) found = items.insert(items.end(), {pattern, note.text, {}, false});
+    found->other_numbers |= found->text != note.text;
+    auto& about = found->about;
+    if (!note.about.empty() && std::find(about.begin(), about.end(), note.about) == about.end())
+      about.push_back(note.about);
   }
   std::string html = "<ul class=\"notes\">\n";
-  for (const auto& [text, about] : texts) {
-    html += "<li>" + escaped(text);
-    for (std::size_t k = 0; k < about.size(); ++k)
-      html += (k == 0 ? " <span class=\"about\">(" : ", ") + escaped(about[k]);
-    html += about.empty() ? "</li>\n" : ")</span></li>\n";
+  for (const auto& item : items) {
+    html += "<li>" + escaped(item.text);
+    for (std::size_t k = 0; k < item.about.size(); ++k)
+      html += (k == 0 ? " <span class=\"about\">(" : ", ") + escaped(item.about[k]);
+    if (!item.about.empty()) html += ")</span>";
+    html += item.other_numbers ? " <span class=\"about\">and alike with other numbers</span></li>\n"
+                               : "</li>\n";
   }
   return html + "</ul>\n";
 }

@@ -15,12 +15,6 @@ namespace rodpack {
 namespace {
 using Json = nlohmann::ordered_json;
 
-// Lengths, forces and energies of grains are read best with a prefix.
-ScaledUnit readable_unit(double value, const std::string& unit) {
-  if (unit == "N" || unit == "J" || unit == "m") return scaled_unit(std::fabs(value), unit);
-  return {1, unit};
-}
-
 // The standard error of the value under `key`: its key says so in place of "mean", before the unit,
 // or at the end.
 std::optional<double> standard_error(const Json& values, const std::string& key) {
@@ -42,6 +36,8 @@ std::optional<double> as_number(const std::string& word) {
   if (word.empty() || *end != '\0') return {};
   return value;
 }
+
+bool is_none(const std::string& word) { return word.empty() || word == "nan"; }
 
 std::string header_html(const std::string& name) {
   const auto words = wording(name);
@@ -96,22 +92,33 @@ std::string values_table(const Json& values, const std::string& caption) {
   return table_html(table);
 }
 
-std::string csv_table(const std::string& file, const std::string& caption) {
+ScaledUnit readable_unit(double value, const std::string& unit) {
+  if (unit == "N" || unit == "J" || unit == "m") return scaled_unit(std::fabs(value), unit);
+  return {1, unit};
+}
+
+std::string csv_table(const std::string& file, const std::string& caption,
+                      const std::set<std::string>& left_out) {
   const Table csv = read_table(file);
   HtmlTable table{caption, {}, {}, std::vector<std::vector<std::string>>(csv.rows())};
-  for (const auto& name : csv.names()) {
-    table.header.push_back(header_html(name));
-    const auto& words = csv.words(name);
+  const auto& names = csv.names();
+  const auto holds_errors = [&](std::size_t c) {
+    return c > 0 && c < names.size() && (names[c] == "sem" || names[c] == names[c - 1] + "_error");
+  };
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    if (left_out.count(names[c]) || holds_errors(c)) continue;
+    const auto& words = csv.words(names[c]);
     const bool numeric = std::all_of(words.begin(), words.end(), [](const std::string& word) {
-      return word.empty() || word == "nan" || as_number(word);
+      return is_none(word) || as_number(word);
     });
+    table.header.push_back(header_html(names[c]));
     table.numeric.push_back(numeric);
     for (std::size_t row = 0; row < words.size(); ++row) {
-      const auto value = as_number(words[row]);
-      const bool none = words[row].empty() || words[row] == "nan";
-      table.rows[row].push_back(none               ? "–"
-                                : numeric && value ? number_html(*value, 4)
-                                                   : escaped(words[row]));
+      const auto error =
+          holds_errors(c + 1) ? as_number(csv.words(names[c + 1])[row]) : std::nullopt;
+      table.rows[row].push_back(is_none(words[row]) ? "–"
+                                : numeric           ? measured_html(*as_number(words[row]), error)
+                                                    : escaped(words[row]));
     }
   }
   return table_html(table);

@@ -3,8 +3,11 @@
 #define RODPACK_PAGE_TABLES_H
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
+
+#include "reading/number_text.h"
 
 namespace rodpack {
 
@@ -23,8 +26,15 @@ std::string table_html(const HtmlTable& table);
 /// objects and arrays are left to the caller.
 std::string values_table(const nlohmann::ordered_json& values, const std::string& caption);
 
-/// Writes a CSV file as a table, its headers in words. @throws DataError when it cannot be read.
-std::string csv_table(const std::string& file, const std::string& caption);
+/// Writes a CSV file as a table, its headers in words. A column "sem" or NAME_error behind a column
+/// (NAME) holds its standard errors and is put into it. `left_out`: columns not to show.
+/// @throws DataError when the file cannot be read.
+std::string csv_table(const std::string& file, const std::string& caption,
+                      const std::set<std::string>& left_out = {});
+
+/// The unit in which values of about this size are read best: lengths, forces and energies of
+/// grains get a prefix, other units stay.
+ScaledUnit readable_unit(double value, const std::string& unit);
 
 }  // namespace rodpack
 
