@@ -68,8 +68,17 @@ std::vector<ForceLine> force_lines(const Frame& contacts) {
   for (const auto& [key, pair] : pairs) {
     const auto& e = pair.ends;
     const auto& force = pair.force;
-    ForceLine line{e[0], e[1], e[2], e[3], std::hypot(force[0], force[1], force[2])};
-    if (std::get<0>(key) == 0 && pair.weight > 0) {
+    const auto& [smaller, larger, normal] = key;
+    const bool at_wall = smaller == 0;
+    ForceLine line{e[0],
+                   e[1],
+                   e[2],
+                   e[3],
+                   std::hypot(force[0], force[1], force[2]),
+                   std::lround(at_wall ? larger : smaller),
+                   std::lround(at_wall ? 0 : larger),
+                   {static_cast<double>(normal[0]) / 100, static_cast<double>(normal[1]) / 100}};
+    if (at_wall && pair.weight > 0) {
       line.x2 = line.x1 + pair.x / pair.weight;
       line.y2 = line.y1 + pair.y / pair.weight;
     }

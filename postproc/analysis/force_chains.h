@@ -2,6 +2,7 @@
 #ifndef RODPACK_ANALYSIS_FORCE_CHAINS_H
 #define RODPACK_ANALYSIS_FORCE_CHAINS_H
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ namespace rodpack {
 struct ForceLine {
   double x1, y1, x2, y2;  // m, in the periodic images that touch
   double force;           // magnitude, N
+  long particle, other;   // ids; other: 0 at a wall
+  std::array<double, 2>
+      wall_normal;  // at a wall, from there to the particle, to hundredths; else 0
 };
 
 /// Sums up one line per touching pair, of a frame with the columns `body_i body_j wall fx fy fz bix

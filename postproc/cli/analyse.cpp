@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "page/run_page.h"
 
 namespace rodpack::cli {
 
@@ -17,7 +18,9 @@ void add_analyse(CLI::App& app) {
   auto* command = app.add_subcommand(
       "analyse",
       "Everything at once for the last frame of a run: orientation, RDF, solid fraction, contact "
-      "forces, energies, pictures and VTK files, into RUN_FOLDER/analysis with a summary.json.");
+      "forces, energies, pictures and VTK files, into RUN_FOLDER/analysis with a summary.json and "
+      "a "
+      "page to look at, report.html.");
   command->footer(
       "Example:\n"
       "  rodpack analyse results/quick\n"
@@ -33,7 +36,8 @@ void add_analyse(CLI::App& app) {
       if (value.is_number()) std::cout << key << ": " << value << '\n';
     for (const auto& note : summary["notes"])
       std::cout << "note: " << note.get<std::string>() << '\n';
-    std::cout << "written: " << options->folder << "/analysis\n";
+    const auto page = write_run_page(options->folder);
+    std::cout << "written: " << options->folder << "/analysis, to look at: " << page << '\n';
   });
 }
 

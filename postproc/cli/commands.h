@@ -17,6 +17,7 @@ void add_profile(CLI::App& app);
 void add_export(CLI::App& app);
 void add_analyse(CLI::App& app);
 void add_ensemble(CLI::App& app);
+void add_report(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_accuracy(CLI::App& app);
 

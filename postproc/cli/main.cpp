@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
       "Every subcommand explains itself:  rodpack rdf --help\n"
       "Exit codes: 0 done, 1 data that cannot be used, 2 wrong command line.");
   cli::add_analyse(app);
+  cli::add_report(app);
   cli::add_orientation(app);
   cli::add_rdf(app);
   cli::add_forces(app);

@@ -30,6 +30,7 @@ void remove_own_outputs(const fs::path& out) {
   std::error_code ignored;
   fs::remove(out / "summary.json", ignored);
   fs::remove(out / "fields.vti", ignored);
+  fs::remove(out / "report.html", ignored);  // the page of them all, which write_run_page() makes
   for (const std::string table : {"orientation", "rdf", "solid_fraction", "forces",
                                   "forces_friction", "forces_coordination", "fields", "profile"})
     fs::remove(out / (table + ".csv"), ignored);

@@ -111,7 +111,9 @@ TEST(Rooms, DependenciesOfThePostProcessorPointOneWay) {
       {"ensemble", {"reading", "analysis"}},
       // campaigns: launch/, which knows where inputs/ is
       {"study", {"reading", "analysis", "figures", "ensemble", "campaigns"}},
-      {"cli", {"reading", "analysis", "figures", "report", "ensemble", "study", "campaigns"}}};
+      {"page", {"reading", "analysis", "ensemble", "figures", "report"}},
+      {"cli",
+       {"reading", "analysis", "figures", "report", "ensemble", "study", "page", "campaigns"}}};
   expect_one_way(repository / "postproc", rules, [&](const fs::path&, const std::string& path) {
     const std::string first = path.substr(0, path.find('/'));
     return rules.count(first) ? first : std::string();

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "page/run_page.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "page/figures_section.h"
+#include "page/frame.h"
+#include "page/html.h"
+#include "page/json_input.h"
+#include "page/tables.h"
+#include "page/words.h"
+#include "reading/data_error.h"
+#include "reading/text_file.h"
+
+namespace rodpack {
+namespace {
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const std::vector<FigureText>& run_figures() {
+  static const std::vector<FigureText> texts{
+      {"packing", "The packing",
+       "Each sphere is shaded by the magnitude of the net contact force on it.", true},
+      {"forces_chains", "Force chains",
+       "A line for each touching pair, between the centres of mass, for the sum of its contacts; "
+       "at "
+       "a wall it ends in the mean contact point.",
+       true},
+      {"solid_fraction_map", "Solid fraction, coarse-grained with ω", "", false},
+      {"pressure_map", "Pressure and its principal directions, coarse-grained with ω", "", false},
+      {"solid_fraction", "Solid fraction over height in the central slice", "", false},
+      {"profile", "Pressure <i>P</i><sub>0</sub> over depth below the surface in the central slice",
+       "", false},
+      {"orientation", "Distribution of the angle γ between long axis and horizontal",
+       "Particles closer than AR <i>d</i><sub>p</sub> to a wall are left out.", false},
+      {"orientation_polar", "The same as a rose", "", false},
+      {"rdf", "Radial distribution function of the centres of mass", "", false},
+      {"forces", "Distributions of the normal and tangential contact forces",
+       "Each is divided by its mean.", false},
+      {"forces_friction",
+       "Mobilised friction <i>f</i><sub>t</sub> / (μ <i>f</i><sub>n</sub>) of the contacts", "",
+       false},
+      {"forces_coordination", "How many particles, and in how many contacts, a particle touches",
+       "", false},
+      {"energies", "Energies over time while the bed is filled and comes to rest", "", false}};
+  return texts;
+}
+
+// The numbers of the summary, without what the page says elsewhere.
+Json results_of(const Json& summary) {
+  Json results;
+  for (const auto& [key, value] : summary.items())
+    if (key != "format" && key != "timestep" && !value.is_structured()) results[key] = value;
+  return results;
+}
+
+Json parameters_of(Json parameters) {
+  parameters.erase("format");
+  parameters.erase("rodpack");  // the page's first lines tell
+  return parameters;
+}
+
+std::string made_by(const Json& values) {
+  const auto found = values.find("rodpack");
+  if (found == values.end() || !found->is_object()) return "an unknown version of rodpack";
+  return "rodpack " + escaped(found->value("version", "?")) + " (commit " +
+         escaped(found->value("commit", "?")) + ")";
+}
+
+std::string lead_of(const fs::path& run, const Json& summary, const Json& parameters) {
+  std::string text = number_html(summary.value("particles", 0.0), 12) + " " +
+                     escaped(particles_in_words(parameters));
+  if (parameters.contains("seed")) text += ", seed " + escaped(parameters["seed"].dump());
+  text += ", at timestep " + number_html(summary.value("timestep", 0.0), 12);
+  if (summary.contains("time_s"))
+    text += " (" + number_html(summary["time_s"].get<double>(), 4) + " s)";
+  return text + ". Run folder <code>" + escaped(run.filename().string()) +
+         "</code>, simulated by " + made_by(parameters) + ", analysed by " + made_by(summary) + ".";
+}
+
+}  // namespace
+
+std::string write_run_page(const std::string& run_folder) {
+  const fs::path run = fs::path(run_folder).lexically_normal() / "";
+  const fs::path name = run.parent_path(), analysis = run / "analysis";
+  const auto summary_file = analysis / "summary.json";
+  if (!fs::exists(summary_file))
+    throw DataError(summary_file.string() + ": no such file; \"rodpack analyse " + run_folder +
+                    "\" makes it");
+  const Json summary = read_json_object(summary_file.string());
+  const Json parameters = read_json_object((run / "parameters.json").string());
+
+  std::vector<Note> notes;
+  for (const auto& note : summary.value("notes", Json::array()))
+    notes.push_back({"", note.is_string() ? note.get<std::string>() : note.dump()});
+  int figure = 0;
+  const std::string figures = figures_html(analysis, run_figures(), figure);
+
+  Page page;
+  page.title = "Packing of " + particles_in_words(parameters);
+  page.lead = lead_of(name, summary, parameters);
+  page.sections = {
+      {"results", "Results", values_table(results_of(summary), "")},
+      {"packing", "The packing", viewer_html({{name.filename().string(), run_folder}})},
+      {"figures", "Figures",
+       figures.empty() ? "<p>None: \"rodpack analyse\" draws them.</p>\n" : figures},
+      {"notes", "What was left out, and why",
+       notes.empty() ? "<p>Nothing: all measures were possible.</p>\n" : notes_html(notes)},
+      {"parameters", "Parameters of the run", values_table(parameters_of(parameters), "")}};
+  const auto file = (analysis / "report.html").string();
+  write_text(file, page_html(page));
+  return file;
+}
+
+}  // namespace rodpack

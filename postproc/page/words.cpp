@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "page/words.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "page/html.h"
+#include "reading/number_text.h"
+
+namespace rodpack {
+namespace {
+
+const std::vector<std::pair<std::string, std::string>>& units() {  // the longer ending first
+  static const std::vector<std::pair<std::string, std::string>> all{
+      {"_per_deg", "1/°"}, {"_over_dp", "<i>d</i><sub>p</sub>"},
+      {"_kg_m3", "kg/m³"}, {"_kg_m2", "kg/m²"},
+      {"_m_s2", "m/s²"},   {"_m_s", "m/s"},
+      {"_N_m2", "N/m²"},   {"_N_m", "N/m"},
+      {"_1_m2", "1/m²"},   {"_deg", "°"},
+      {"_kg", "kg"},       {"_N", "N"},
+      {"_J", "J"},         {"_m", "m"},
+      {"_s", "s"}};
+  return all;
+}
+
+// Labels of keys, without their units, that the key itself says badly.
+const std::map<std::string, std::string>& labels() {
+  static const std::map<std::string, std::string> all{
+      {"solid_fraction", "solid fraction φ, central slice up to the surface"},
+      {"solid_fraction_from_3_omega_above_floor_to_surface",
+       "solid fraction φ, central slice, from 3ω above the floor to the surface"},
+      {"solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
+       "solid fraction φ, central slice, from 3ω above the floor to 3ω below the surface"},
+      {"solid_fraction_to_3_omega_below_surface",
+       "solid fraction φ, central slice up to 3ω below the surface"},
+      {"covered_area_over_area_below_surface",
+       "area covered by particles / area of the bed below its surface"},
+      {"omega", "coarse-graining scale ω"},
+      {"nematic_order_S2", "nematic order <i>S</i><sub>2</sub>"},
+      {"director", "director, angle to the horizontal"},
+      {"bed_height", "height of the bed"},
+      {"orientation_particles", "particles in the orientation distribution"},
+      {"orientation_left_out_closer_than_AR_dp_to_walls",
+       "particles left out of it, closer than AR <i>d</i><sub>p</sub> to a wall"},
+      {"rdf_centres", "centres of the radial distribution function"},
+      {"rdf_margin", "their least distance from walls and surface"},
+      {"rdf_tail_mean", "<i>G</i>(<i>r</i>) at large <i>r</i>, has to be 1"},
+      {"mean_normal_force", "mean normal force of a sphere contact"},
+      {"mean_tangential_force", "mean tangential force of a sphere contact"},
+      {"mobilised_friction_mean",
+       "mean mobilised friction <i>f</i><sub>t</sub> / (μ <i>f</i><sub>n</sub>)"},
+      {"sliding_fraction", "share of sliding contacts"},
+      {"coordination_number", "particles that a particle touches, mean"},
+      {"contacts_per_particle", "sphere contacts of a particle, mean"},
+      {"rattlers", "particles without contact"},
+      {"janssen_pressure", "Janssen fit, pressure <i>P</i><sub>j</sub> at depth"},
+      {"janssen_depth", "Janssen fit, depth <i>h</i><sub>c</sub>"},
+      {"janssen_rms_residual", "Janssen fit, rms residual"},
+      {"kinetic_energy", "kinetic energy at the end"},
+      {"elastic_energy", "elastic energy at the end"},
+      {"aspect_ratio", "aspect ratio AR"},
+      {"particle_diameter", "diameter of the primary spheres <i>d</i><sub>p</sub>"},
+      {"curvature", "curvature θ"},
+      {"overlap", "overlap of neighbouring spheres"},
+      {"friction", "friction coefficient μ"},
+      {"damping_ratio_normal", "damping ratio η<sub>n</sub>"},
+      {"damping_ratio_tangential", "damping ratio η<sub>t</sub>"},
+      {"normal_stiffness", "normal stiffness <i>k</i><sub>n</sub>"},
+      {"tangential_stiffness", "tangential stiffness <i>k</i><sub>t</sub>"},
+      {"timestep", "time step"},
+      {"time", "simulated time"},
+      {"wall_time", "time it took"},
+      {"core_seconds", "processor time, s"},
+      {"sem", "standard error"},
+      {"averaged_from", "averaged from"},
+      {"published_error", "published error"},
+      {"difference", "difference"},
+      {"combined_error", "combined error"},
+      {"difference_over_combined_error", "difference / combined error"},
+      {"gamma", "γ"},
+      {"r", "<i>r</i>"},
+      {"width_in_lengths", "width of the container / axial length"},
+      {"size_spread", "spread of the diameters, ±"}};
+  return all;
+}
+
+}  // namespace
+
+Wording wording(const std::string& key) {
+  Wording result;
+  std::string stem = key;
+  for (const auto& [ending, unit] : units())
+    if (key.size() > ending.size() &&
+        key.compare(key.size() - ending.size(), ending.size(), ending) == 0) {
+      result.unit = unit;
+      stem = key.substr(0, key.size() - ending.size());
+      break;
+    }
+  if (const auto known = labels().find(stem); known != labels().end()) {
+    result.label = known->second;
+    return result;
+  }
+  std::replace(stem.begin(), stem.end(), '_', ' ');
+  result.label = escaped(stem);
+  return result;
+}
+
+std::string particles_in_words(const nlohmann::ordered_json& parameters) {
+  const auto number = [&](const char* key) {
+    const auto value = parameters.find(key);
+    return value != parameters.end() && value->is_number() ? value->get<double>() : 0.0;
+  };
+  const double ratio = number("aspect_ratio");
+  if (!(ratio > 0)) return "particles";
+  if (ratio == 1) return "spheres";
+  const double curvature = number("curvature_deg");
+  const auto surface = parameters.find("surface");
+  std::string text = surface != parameters.end() && surface->is_string()
+                         ? surface->get<std::string>() + " "
+                         : std::string();
+  text += std::string(curvature > 0 ? "curved " : "") +
+          "spherocylinders of AR = " + number_text(ratio, 4);
+  if (curvature > 0) text += ", θ = " + number_text(curvature, 4) + "°";
+  return text;
+}
+
+}  // namespace rodpack
