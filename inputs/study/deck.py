@@ -47,7 +47,7 @@ class Parameter:
             return "a text"
         words = "an integer" if self.type == "integer" else "a number"
         if self.unit:
-            words += " in " + self.unit
+            words += " in " + self.unit.replace("_", "/", 1)
         limits = [f"{BOUNDS[keyword][1]} {bound:g}" for keyword, bound in self.bounds]
         return words + (", " + " and ".join(limits) if limits else "")
 

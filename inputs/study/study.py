@@ -132,6 +132,16 @@ def describe(plan, cores, speed):
         yield f"no part of the table, left alone: {', '.join(left_out)}"
 
 
+def case_lines(plan, speed):
+    """A line for each case: what it costs where it is not there yet."""
+    yield f"{'case':<28} {'runs':>5} {'done':>5} {'core-hours each':>16} {'disk each':>10}"
+    for case in plan.table.cases:
+        done = sum(plan.states[case.name, seed][0] == DONE for seed in case.seeds)
+        hours = estimate.work(case.values) / speed / 3600
+        kept = size(estimate.disk(case.values, case.keep_restarts)[0])
+        yield f"{case.name:<28} {len(case.seeds):>5} {done:>5} {hours:>16.2g} {kept:>10}"
+
+
 def prepare(plan, speed):
     """Brings the folder in line with the table: what changed goes aside, flags tell what stands."""
     study, now = plan.study, datetime.datetime.now().strftime("%Y%m%d-%H%M%S")
@@ -233,6 +243,8 @@ def main(words):
     elif words[0] in ("plan", "prepare"):
         plan, cores = Plan(words[1], words[2]), int(words[3])
         speed = speed_of(plan.study)
+        if words[0] == "plan":
+            print("\n".join(case_lines(plan, speed)))
         print("\n".join(describe(plan, cores, speed)))
         if words[0] == "prepare":
             prepare(plan, speed)

@@ -76,7 +76,15 @@ class Reader:
             hint = instead.get(name, "runs that were interrupted go on by themselves")
             self.fail(key, f"{what}: '{name}' is set by the workflow: {hint}")
         near = difflib.get_close_matches(name, known, n=1)
-        hint = f"did you mean '{near[0]}'?" if near else "expected one of: " + " ".join(known)
+        elsewhere = difflib.get_close_matches(name, self.deck.parameters, n=1)
+        others = [word for word in known if word not in self.deck.parameters]
+        hint = "expected " + (f"one of: {' '.join(others)}" if others else "a parameter of the deck")
+        if near:
+            hint = f"did you mean '{near[0]}'?"
+        elif elsewhere:
+            hint = f"did you mean '{elsewhere[0]}', under defaults: or a case?"
+        elif others and len(others) < len(known):
+            hint += " or a parameter of the deck"
         self.fail(key, f"{what}: unknown key '{name}', {hint}")
 
     def parameter(self, name, node):
@@ -129,9 +137,15 @@ class Reader:
 
 def text_of(node):
     """A node as the user would recognise it, on one line."""
-    if isinstance(node, yaml.ScalarNode):
-        return f"'{node.value}'"
-    return f"'{yaml.serialize(node, default_flow_style=True, width=1000).strip()}'"
+    return f"'{_flow(node)}'"
+
+
+def _flow(node):
+    if isinstance(node, yaml.SequenceNode):
+        return "[" + ", ".join(_flow(item) for item in node.value) + "]"
+    if isinstance(node, yaml.MappingNode):
+        return "{" + ", ".join(f"{_flow(key)}: {_flow(value)}" for key, value in node.value) + "}"
+    return node.value
 
 
 def read_table(file, deck):
