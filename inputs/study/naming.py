@@ -28,8 +28,10 @@ def case_name(parameters, values, defaults):
     if normal is not None and normal == tangential:
         changed["damping_ratio"] = normal
         del changed["damping_ratio_normal"], changed["damping_ratio_tangential"]
-    if "normal_stiffness" in changed and 2 * values["tangential_stiffness"] == values["normal_stiffness"]:
-        changed.pop("tangential_stiffness", None)
+    if "normal_stiffness" in changed:
+        changed["tangential_stiffness"] = values["tangential_stiffness"]
+        if 2 * values["tangential_stiffness"] == values["normal_stiffness"]:
+            del changed["tangential_stiffness"]
     for key, value in changed.items():
         text = value if isinstance(value, str) else f"{value:.9g}"
         name += f"-{SHORT.get(key, key)}{text}"

@@ -129,4 +129,5 @@ status=0
   --nolock --rerun-incomplete --keep-going --rerun-triggers mtime "$@" >> "$log" 2>&1 || status=$?
 kill "$watch" 2> /dev/null || true
 wait "$watch" 2> /dev/null || true
+if [ -t 1 ]; then echo; fi
 "$python" "$here/study.py" summary "$out" "$status"

@@ -193,12 +193,17 @@ def plan_entries(plan, speed):
     }
 
 
+def plain(value):
+    """5 for 5.0, as a person would write it."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
 def cases_of(plan):
     """cases.json: what `rodpack ensemble` and `rodpack report` need of the table."""
     cases = {
         case.name: {
             "seeds": case.seeds,
-            "parameters": {name: case.values[name] for name in case.parameters},
+            "parameters": {name: plain(case.values[name]) for name in case.parameters},
             "ranks": case.ranks,
         }
         for case in plan.table.cases
