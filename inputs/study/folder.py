@@ -52,7 +52,7 @@ class Study:
 
     @property
     def plan_file(self):
-        """What Snakemake and its jobs need of a case besides: minutes, memory, what to keep."""
+        """What Snakemake and its jobs need of a case: -var, ranks, minutes, memory, what to keep."""
         return self.state / "plan.json"
 
 

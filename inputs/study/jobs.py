@@ -22,11 +22,11 @@ HERE = Path(__file__).resolve().parent
 PROGRAMS = Path(os.environ.get("RODPACK_BIN") or HERE.parent.parent / "build" / "bin")
 
 
-def arguments_of(case, seed):
-    """-var ... of a case of cases.json"""
+def arguments_of(plan, seed):
+    """-var ... of a case of plan.json"""
     words = ["-var", "seed", str(seed)]
-    for name, value in case["parameters"].items():
-        words += ["-var", name, str(value)]
+    for name, text in plan["variables"].items():
+        words += ["-var", name, text]
     return words
 
 
@@ -54,14 +54,13 @@ def touch(flag):
 
 
 def deposit(study, name, seed):
-    case = json.loads(study.cases_file.read_text())["cases"][name]
     plan = json.loads(study.plan_file.read_text())[name]
     run, log = study.run(name, seed), study.log(name, seed)
     study.failure(name, seed).unlink(missing_ok=True)
     status, lines = call(
-        [HERE.parent / "deposition" / "run_one.sh", run, *arguments_of(case, seed)],
+        [HERE.parent / "deposition" / "run_one.sh", run, *arguments_of(plan, seed)],
         log,
-        RANKS=str(case["ranks"]),
+        RANKS=str(plan["ranks"]),
         LIGGGHTS=str(PROGRAMS / "liggghts"),
         ASIDE=str(study.aside(name)),
     )

@@ -8,7 +8,8 @@
 # TABLE           inputs/study/reduced.yaml, paper.yaml, miniature.yaml or one of your own (README.md)
 # OUT=…           folder of the study, default results/<name of the table>
 # --dry-run       says what there is to do and what it costs, then ends
-# --runs-only     no ensemble and no report
+# --no-report     ends with the ensemble
+# --runs-only     ends with the runs and their analyses
 # --partial       ensemble and report of the runs that succeeded where others have failed
 # --per-job N     with a profile: N repetitions of a case in one job of the cluster, default 10
 # -j N            runs at a time, default: as many as cores; with a profile: jobs
@@ -44,7 +45,7 @@ shift
 name=$(basename "$table")
 out=${OUT:-}
 dry=0
-target=report_and_ensemble
+target=report
 partial=0
 jobs=
 per_job=10
@@ -63,6 +64,7 @@ while [ "$left" -gt 0 ]; do
   case $word in
     OUT=*) out=${word#OUT=} ;;
     --dry-run | -n) dry=1 ;;
+    --no-report) target=ensemble ;;
     --runs-only) target=runs ;;
     --partial) partial=1 ;;
     -j[0-9]*) jobs=$(number -j "${word#-j}") ;;

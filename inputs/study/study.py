@@ -18,7 +18,7 @@ from pathlib import Path
 
 import estimate
 from deck import DECK, Deck
-from folder import (CHANGED, DONE, GO_ON, START, Study, is_analysed, last_time, read_json, state_of,
+from folder import (CHANGED, DONE, GO_ON, IRRELEVANT, START, Study, is_analysed, last_time, read_json, state_of,
                     write_if_other)
 from jobs import PROGRAMS, cases_text
 from table import TableError, read_table
@@ -154,8 +154,10 @@ def prepare(plan, speed):
         (study.out / "aside").mkdir(exist_ok=True)
         os.rename(copy, study.out / "aside" / f"study.before.{now}.yaml")
     write_if_other(copy, text)
-    for case, seed in plan.states:
-        set_flags(study, case, seed, plan.states[case, seed][0] == DONE)
+    complete = [set_flags(study, *key, state == DONE) for key, (state, _) in plan.states.items()]
+    if not all(complete):
+        # Snakemake would not look behind it.
+        (study.state / "finished").unlink(missing_ok=True)
     speed_file = study.state / "speed.json"
     known = {**(read_json(speed_file) or {}), socket.gethostname(): speed}
     write_if_other(speed_file, json.dumps(known) + "\n")
@@ -164,7 +166,10 @@ def prepare(plan, speed):
 
 
 def set_flags(study, case, seed, done):
-    """Flags as old as what they stand for, so that nothing is made anew on their account."""
+    """Flags as old as what they stand for, so that nothing is made anew on their account.
+
+    Returns whether all steps of the run are done.
+    """
     run = study.run(case, seed)
     marks = {"deposited": run / "result.json", "analysed": run / "analysis" / "summary.json"}
     holds = {"deposited": done, "analysed": done and is_analysed(run)}
@@ -177,12 +182,15 @@ def set_flags(study, case, seed, done):
             flag.touch()
             shutil.copystat(mark, flag)
     study.failure(case, seed).unlink(missing_ok=True)
+    return all(holds.values())
 
 
 def plan_entries(plan, speed):
     """plan.json"""
     return {
         case.name: {
+            "variables": case.parameters,
+            "ranks": case.ranks,
             "keep_restarts": case.keep_restarts,
             "minutes": 15 + int(RUNTIME_MARGIN * estimate.work(case.values) / speed / 60 / case.ranks),
             "mem_mb": estimate.memory_mb(case.values),
@@ -199,11 +207,18 @@ def plain(value):
 
 
 def cases_of(plan):
-    """cases.json: what `rodpack ensemble` and `rodpack report` need of the table."""
+    """cases.json: what `rodpack ensemble` and `rodpack report` need of the table.
+
+    Without what may differ from run to run of a case, such as the interval of the output.
+    """
     cases = {
         case.name: {
             "seeds": case.seeds,
-            "parameters": {name: plain(case.values[name]) for name in case.parameters},
+            "parameters": {
+                name: plain(case.values[name])
+                for name in case.parameters
+                if name not in IRRELEVANT
+            },
             "ranks": case.ranks,
         }
         for case in plan.table.cases
@@ -211,7 +226,7 @@ def cases_of(plan):
     return {
         "format": "rodpack-study 1",
         "title": plan.table.title,
-        "columns": plan.table.columns,
+        "columns": [name for name in plan.table.columns if name not in IRRELEVANT],
         "cases": cases,
     }
 
