@@ -96,7 +96,7 @@ class Workflow(StudyTest):
         # Given the time it needs it goes on from where it was: the limit is no part of the physics.
         self.write_table(failing.replace("1e-3", "20"))
         self.assertIn("1 done, 1 to go on, 0 to do", self.run_study(*UNTIL_ENSEMBLE))
-        self.assertIn("going on from", self.log("rods-seed-1.log"))
+        self.assertIn("going on from", (self.out / "logs/rods-seed-1.log").read_text())
         self.assertEqual(set(ensemble(self.out)["cases"]), {"spheres", "rods"})
 
     def test_a_restart_file_that_was_cut_off_is_not_used(self):
