@@ -1,15 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Installs what packages.txt lists and this machine lacks, and with the argument "tests" what
-# packages-tests.txt lists as well; does nothing when all is there.
+# Installs what packages.txt lists and this machine lacks, with the argument "study" what packages-study.txt
+# lists as well, with "tests" that and what packages-tests.txt lists; does nothing when all is there.
 # RODPACK_SKIP_SETUP=1 skips it: for machines where the same software comes in another way.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 case "${1:-}" in
   '') wanted=$(sed 's/#.*//' "$here/packages.txt") ;;
-  tests) wanted=$(sed 's/#.*//' "$here/packages.txt" "$here/packages-tests.txt") ;;
+  study) wanted=$(sed 's/#.*//' "$here/packages.txt" "$here/packages-study.txt") ;;
+  tests) wanted=$(sed 's/#.*//' "$here/packages.txt" "$here/packages-study.txt" "$here/packages-tests.txt") ;;
   *)
-    echo "docker/setup.sh: no argument, or tests; not '$1'" >&2
+    echo "docker/setup.sh: no argument, study or tests; not '$1'" >&2
     exit 2
     ;;
 esac

@@ -66,33 +66,7 @@ echo "3/4 run: $out ($takes; every line below is a report of its own)"
 if [ -e "$out/result.json" ]; then
   echo "$out is complete: not run again (delete it, or choose another with OUT=…)"
 else
-  if [ -e "$out" ] && [ ! -e "$out/parameters.json" ]; then
-    echo "inputs/run.sh: $out exists and is not a run folder: choose another with OUT=…" >&2
-    exit 1
-  fi
-  # shellcheck disable=SC2012  # names are the deck's own: no blanks
-  last=$(ls -t "$out"/restart/deposition.*.restart 2> /dev/null | head -n 1)
-  if [ -n "$last" ]; then
-    echo "$out was interrupted: going on from $last"
-    set -- "$@" -var resume "$last"
-  elif [ -e "$out" ]; then
-    aside=$out.interrupted.$(date +%Y%m%d-%H%M%S)
-    echo "$out was interrupted before its first restart file: moved to $aside"
-    mv "$out" "$aside"
-  fi
-  launcher=
-  if [ "$ranks" -gt 1 ]; then
-    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    launcher="mpiexec --oversubscribe -np $ranks"
-  fi
-  # LIGGGHTS prints an error just before it aborts: without line buffering it would be lost.
-  $launcher stdbuf -oL build/bin/liggghts -in inputs/deposition/in.deposition \
-    -var preset "$preset" -var out "$out" "$@"
-  # LIGGGHTS ends well, too, when a signal has stopped it on the way.
-  if [ ! -e "$out/result.json" ]; then
-    echo "inputs/run.sh: $out is not complete: the same command goes on from its last restart file" >&2
-    exit 1
-  fi
+  RANKS=$ranks inputs/deposition/run_one.sh "$out" -var preset "$preset" "$@"
   printf '%s\n' "$arguments" > "$out/arguments"
 fi
 

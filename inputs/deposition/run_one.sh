@@ -1,0 +1,71 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Brings one deposition to its end: starts it, goes on with it, or leaves it alone when it is complete.
+#
+#   inputs/deposition/run_one.sh RUN_FOLDER -var NAME VALUE ...
+#
+# -var …      handed to the deck; "out" and "resume" are set here
+# RANKS=n     MPI ranks, default 1
+# LIGGGHTS=…  program, default build/bin/liggghts
+# ASIDE=…     where a run goes that was interrupted before its first restart file, default: beside it
+# A run that was interrupted goes on from its last restart file that is whole (whole_restart.py). Two
+# calls for one folder: the second waits until the first, and its LIGGGHTS, have ended.
+# Exit status: 0 when the run is complete, that of LIGGGHTS, or 1 when a signal has stopped it.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+out=$1
+shift
+
+# The bed is at rest; an empty file is one that was being written.
+is_complete() {
+  [ -s "$out/result.json" ] && [ "$(tail -c 2 "$out/result.json")" = '}' ]
+}
+
+parent=$(dirname "$out")
+mkdir -p "$parent"
+# Kept open by LIGGGHTS, too: the lock is free when the last of them is gone, however it went.
+exec 9> "$parent/.lock.$(basename "$out")"
+if ! flock -n 9; then
+  echo "$out: another process is at it: waiting"
+  flock 9
+fi
+
+if is_complete; then
+  echo "$out is complete: not run again"
+  exit 0
+fi
+if [ -e "$out" ] && [ ! -e "$out/parameters.json" ] && [ -n "$(find "$out" -type f | head -n 1)" ]; then
+  echo "$out exists and is not a run folder: choose another" >&2
+  exit 1
+fi
+last=$(python3 "$here/whole_restart.py" "$out")
+if [ -n "$last" ]; then
+  echo "$out was interrupted: going on from $last"
+  # What comes after that file is written anew.
+  step=${last%.restart}
+  step=${step##*.}
+  awk -F , -v step="$step" 'NR == 1 || (NF == 8 && $1 <= step)' "$out/energies.csv" > "$out/energies.csv.kept"
+  mv "$out/energies.csv.kept" "$out/energies.csv"
+  set -- "$@" -var resume "$last"
+elif [ -e "$out" ]; then
+  aside=${ASIDE:-$parent}/$(basename "$out").interrupted.$(date +%Y%m%d-%H%M%S)
+  echo "$out was interrupted before its first restart file: moved to $aside"
+  mkdir -p "$(dirname "$aside")"
+  mv "$out" "$aside"
+fi
+
+launcher=
+if [ "${RANKS:-1}" -gt 1 ]; then
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  # Runs side by side would bind their ranks to the same cores.
+  launcher="mpiexec --oversubscribe --bind-to none -np $RANKS"
+fi
+# LIGGGHTS prints an error just before it aborts: without line buffering it would be lost. The deck
+# opens the run's log; before that there is none, which runs side by side would share.
+$launcher stdbuf -oL "${LIGGGHTS:-$here/../../build/bin/liggghts}" -log none \
+  -in "$here/in.deposition" -var out "$out" "$@"
+# LIGGGHTS ends well, too, when a signal has stopped it on the way.
+if ! is_complete; then
+  echo "$out is not complete: the same command goes on from its last restart file" >&2
+  exit 1
+fi

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the tests of the study workflow share: a fresh folder, a table, inputs/study/run.sh."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+REPOSITORY = Path(__file__).resolve().parent.parent.parent
+WORKFLOW = REPOSITORY / "inputs" / "study"
+DEPOSITION = REPOSITORY / "inputs" / "deposition"
+PROGRAMS = Path(os.environ.get("RODPACK_BIN", REPOSITORY / "build" / "bin"))
+sys.path[:0] = [str(WORKFLOW), str(DEPOSITION)]
+
+# A bed of one layer: a second a run.
+SMALL = """\
+defaults:
+  particles: 30
+  particles_per_line: 10
+  width_in_lengths: 12
+  container_height: 0.4
+  output_interval: 1000
+  restart_interval: 0.1
+"""
+CASES = """\
+cases:
+  spheres:
+    aspect_ratio: 1
+  rods:
+    aspect_ratio: 3
+"""
+
+
+# The tests of the workflow end with the ensemble; the report has tests of its own.
+UNTIL_ENSEMBLE = ("--no-report",)
+
+
+class StudyTest(unittest.TestCase):
+    """A test with a folder of its own, which stays when the test fails."""
+
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="rodpack-study-"))
+        self.out = self.folder / "out"
+        self.table = self.folder / "table.yaml"
+
+    def tearDown(self):
+        outcome = self._outcome.result
+        bad = [test for test, _ in outcome.failures + outcome.errors if test is self]
+        if bad:
+            print(f"kept: {self.folder}")
+        else:
+            shutil.rmtree(self.folder)
+
+    def write_table(self, text):
+        self.table.write_text(text)
+
+    def know_speed(self):
+        """Spares run.sh the measurement of this machine's speed."""
+        (self.out / ".study").mkdir(parents=True, exist_ok=True)
+        (self.out / ".study" / "speed.json").write_text(json.dumps({os.uname().nodename: 1.0}))
+
+    def command(self, *words):
+        return ["sh", str(WORKFLOW / "run.sh"), str(self.table), f"OUT={self.out}", "-j", "2", *words]
+
+    def environment(self):
+        return {**os.environ, "RODPACK_BIN": str(PROGRAMS), "PROGRESS_S": "0.5"}
+
+    def run_study(self, *words, expect=0):
+        """Runs run.sh to its end. Returns what it printed."""
+        done = subprocess.run(
+            self.command(*words), env=self.environment(), stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True,
+        )
+        self.assertEqual(done.returncode, expect, done.stdout + self.log("snakemake.log"))
+        return done.stdout
+
+    def log(self, name):
+        file = self.out / "logs" / name
+        return file.read_text()[-4000:] if file.exists() else ""
+
+    def run_folder(self, case, seed):
+        return self.out / "runs" / case / f"seed-{seed}"
+
+    def result(self, case, seed):
+        return json.loads((self.run_folder(case, seed) / "result.json").read_text())
+
+    def started(self):
+        """How often LIGGGHTS was started for each run: {case-seed-n: times}."""
+        logs = (self.out / "logs").glob("*-seed-*.log")
+        count = {log.stem: log.read_text().count("LIGGGHTS (Version") for log in logs}
+        return {name: times for name, times in count.items() if times > 0}
+
+
+def ensemble(out):
+    """ensemble.json less what depends on the clock."""
+
+    def timeless(tree):
+        if isinstance(tree, dict):
+            return {k: timeless(v) for k, v in tree.items() if k not in ("wall_time_s", "core_seconds")}
+        return tree
+
+    return timeless(json.loads((out / "ensemble" / "ensemble.json").read_text()))
