@@ -15,6 +15,8 @@
 #include "ensemble/ensemble_field.h"
 #include "ensemble/run_analysis.h"
 #include "reading/number_text.h"
+#include "study/claims/claims.h"
+#include "study/study_figures.h"
 
 namespace rodpack::cli {
 namespace {
@@ -26,6 +28,7 @@ struct EnsembleOptions {
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool allow_missing = false;
   bool analyse_again = false;
+  std::string published;
 };
 
 std::string output_folder(const EnsembleOptions& options) {
@@ -80,7 +83,15 @@ void make_ensemble(const EnsembleOptions& options) {
     if (const auto field = mean_field(one))
       write_ensemble_field(*field, (fs::path(out) / (one.name + "_fields.csv")).string());
   report(ensemble);
-  std::cout << "written: " << out << "/ensemble.json and a table for each case and measure\n";
+  const auto figures =
+      draw_study_figures(ensemble, fs::path(out).parent_path().string(), out, options.published);
+  write_figure_list(figures, out);
+  write_claims(test_claims(ensemble), out);
+  for (const auto& figure : figures)
+    if (!figure.not_drawn.empty())
+      std::cout << "not drawn: " << figure.paper << ": " << figure.not_drawn << '\n';
+  std::cout << "written: " << out
+            << "/ensemble.json, a table for each case and measure, table2, claims, figures\n";
 }
 
 }  // namespace
@@ -114,6 +125,11 @@ void add_ensemble(CLI::App& app) {
       ->type_name("N");
   command->add_flag("--allow-missing", options->allow_missing,
                     "leave out runs that are missing or have not finished, with a note");
+  command
+      ->add_option("--published", options->published,
+                   "values to compare with [default: published.csv of the study's folder, else of "
+                   "inputs/study/]")
+      ->type_name("FILE");
   command->add_flag("--again", options->analyse_again, "analyse all runs again");
   command->callback([options] { make_ensemble(*options); });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "study/study_figures.h"
 
+#include "reading/json_file.h"
+
 namespace rodpack {
 
 std::vector<StudyFigure> draw_study_figures(const Ensemble& ensemble, const std::string& study,
@@ -21,6 +23,21 @@ std::vector<StudyFigure> draw_study_figures(const Ensemble& ensemble, const std:
   figures.push_back(draw_curved_pressure(ensemble, out));
   figures.push_back(draw_pressure_over_theta(ensemble, out));
   return figures;
+}
+
+void write_figure_list(const std::vector<StudyFigure>& figures, const std::string& folder) {
+  nlohmann::ordered_json list;
+  list["format"] = "rodpack-figures 1";
+  list["figures"] = nlohmann::ordered_json::array();
+  for (const auto& figure : figures) {
+    nlohmann::ordered_json entry;
+    entry["name"] = figure.name;
+    entry["paper"] = figure.paper;
+    entry["caption"] = figure.caption;
+    entry["not_drawn"] = figure.not_drawn;
+    list["figures"].push_back(entry);
+  }
+  write_json(folder + "/figures.json", list);
 }
 
 }  // namespace rodpack

@@ -27,7 +27,11 @@ std::vector<StudyFigure> draw_study_figures(const Ensemble& ensemble, const std:
                                             const std::string& out,
                                             const std::string& published = "");
 
-// Each alone; `stem`: of its files.
+/// Writes `folder`/figures.json, what was drawn and what it shows, for the study's page.
+/// @throws DataError when it cannot be written.
+void write_figure_list(const std::vector<StudyFigure>& figures, const std::string& folder);
+
+// Each alone.
 
 /// Fig. 3: distribution of gamma, straight particles, a panel per aspect ratio.
 StudyFigure draw_orientation(const Ensemble& ensemble, const std::string& out);
