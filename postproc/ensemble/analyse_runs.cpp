@@ -83,8 +83,8 @@ class Analyses {
       const std::string& folder = folders_[ended.run];
       if (status != 0 && first_error_.empty()) {
         const auto line = last_line(ended.output);
-        first_error_ =
-            folder + ": its analysis " + ending(status) + (line.empty() ? "" : ": ") + line;
+        first_error_ = folder + ": its analysis " + ending(status);
+        if (!line.empty()) first_error_.append(": ").append(line);
       }
       std::fclose(ended.output);
       return folder;
