@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
@@ -10,6 +11,7 @@
 #include "reading/angles.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
+#include "rodpack/averaging/kernel_share.h"
 #include "rodpack/vtk/field_image.h"
 
 namespace rodpack {
@@ -42,6 +44,20 @@ Grid field_grid(const Packing& packing, const FieldOptions& options) {
 }
 
 }  // namespace
+
+Rectangle counted_space(const Packing& packing, Normalisation normalisation) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  Rectangle space{-endless, endless, -endless, endless};
+  if (normalisation == Normalisation::none) return space;
+  const auto& walls = packing.walls;
+  if (walls.sides) {
+    space.left = walls.left;
+    space.right = walls.right;
+  }
+  if (walls.bottom) space.bottom = walls.floor;
+  if (normalisation == Normalisation::walls_and_surface) space.top = packing.surface;
+  return space;
+}
 
 double averaging_scale(const Packing& packing, const FieldOptions& options) {
   const double diameters = options.scale_in_diameters.value_or(3 * packing.aspect_ratio);
@@ -117,10 +133,12 @@ void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* conta
 }
 
 void FieldSample::add(const Packing& packing, const Frame& bodies, const Frame* contacts) {
-  if (!averages_)
+  if (!averages_) {
     averages_ = std::make_unique<CoarseGraining>(averaging_kernel(packing, options_),
                                                  field_grid(packing, options_),
                                                  averaging_options(packing, options_));
+    space_ = counted_space(packing, options_.normalisation);
+  }
   add_frame(*averages_, bodies, contacts);
   ++frames_;
 }
@@ -128,6 +146,12 @@ void FieldSample::add(const Packing& packing, const Frame& bodies, const Frame* 
 const CoarseGraining& FieldSample::averages() const {
   if (!averages_) throw TooFewParticles("no frame to average");
   return *averages_;
+}
+
+std::vector<Field> FieldSample::fields() const {
+  auto fields = averages().fields(frames_);
+  if (options_.normalisation != Normalisation::none) normalise_by_share(averages(), space_, fields);
+  return fields;
 }
 
 const Field& field_named(const std::vector<Field>& fields, const std::string& name) {

@@ -10,8 +10,13 @@
 
 #include "reading/packing.h"
 #include "rodpack/averaging/coarse_graining.h"
+#include "rodpack/geometry/disc_in_rectangle.h"
 
 namespace rodpack {
+
+/// By what densities are divided: nothing (Goldhirsch, as in the paper); the kernel's share between
+/// side walls and above the floor; or that, and below the bed's surface.
+enum class Normalisation { none, walls, walls_and_surface };
 
 struct FieldOptions {
   std::optional<double> scale;                  // w, m; none: see the next
@@ -22,7 +27,12 @@ struct FieldOptions {
   std::string line = "auto";
   double tolerance = 1e-6;
   bool couple_stress = false;
+  Normalisation normalisation = Normalisation::none;
 };
+
+/// Returns the space that a kernel may count, m: between the packing's walls, up to the bed's
+/// surface if that is asked for; endless where there is no wall, everywhere for `none`.
+Rectangle counted_space(const Packing& packing, Normalisation normalisation);
 
 /// Returns the scale w of the averaging, m. @throws DataError when it is not positive.
 double averaging_scale(const Packing& packing, const FieldOptions& options);
@@ -54,11 +64,13 @@ class FieldSample {
   void add(const Packing& packing, const Frame& bodies, const Frame* contacts);
   /// @throws TooFewParticles when no frame was added.
   const CoarseGraining& averages() const;
-  std::vector<Field> fields() const { return averages().fields(frames_); }
+  /// The fields, normalised as the options say, by walls and surface of the first frame.
+  std::vector<Field> fields() const;
 
  private:
   FieldOptions options_;
   std::unique_ptr<CoarseGraining> averages_;
+  Rectangle space_{};
   int frames_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reading/csv_file.h"
+#include "rodpack/averaging/kernel_share.h"
 
 namespace rodpack {
 namespace {
@@ -34,7 +35,9 @@ void ProfileSample::add(const Packing& packing, const Frame& bodies, const Frame
 
 PressureProfile ProfileSample::result() const {
   if (!averages_) throw TooFewParticles("profile: no frame to average");
-  const auto fields = averages_->fields(frames_);
+  auto fields = averages_->fields(frames_);
+  if (options_.normalisation != Normalisation::none)
+    normalise_by_share(*averages_, counted_space(packing_, options_.normalisation), fields);
   const Grid& grid = *averages_->grid();
   const auto rows = static_cast<std::size_t>(grid.count[1]);
   // From the top down, the mean over the slice.

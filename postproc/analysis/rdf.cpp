@@ -7,6 +7,7 @@
 
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
+#include "rodpack/geometry/disc_in_rectangle.h"
 
 namespace rodpack {
 namespace {
@@ -32,32 +33,12 @@ struct Points {
   }
 };
 
-struct Rectangle {
-  double left, right, bottom, top;
-  bool contains(double x, double y) const {
-    return x >= left && x <= right && y >= bottom && y <= top;
-  }
-  double area() const { return (right - left) * (top - bottom); }
-};
-
 // The bed without a strip along its walls and its surface. A periodic direction has no strip.
 Rectangle inset_bed(const Packing& packing, double strip) {
   const auto& walls = packing.walls;
   const double side = walls.sides ? strip : 0;
   return {walls.left + side, walls.right - side, walls.floor + (walls.bottom ? strip : 0),
           packing.surface - strip};
-}
-
-// Area of the part of a disc around (x, y) that lies in the rectangle; the centre may be outside.
-double disc_area_inside(const Rectangle& box, double x, double y, double r) {
-  const auto signed_quarter = [r](double a, double b) {
-    return std::copysign(1.0, a) * std::copysign(1.0, b) *
-           quarter_disc_area(r, std::abs(a), std::abs(b));
-  };
-  const double left = box.left - x, right = box.right - x;
-  const double bottom = box.bottom - y, top = box.top - y;
-  return signed_quarter(right, top) - signed_quarter(left, top) - signed_quarter(right, bottom) +
-         signed_quarter(left, bottom);
 }
 
 // Particles inside the window, where neighbours count; those inside the region are centres. In a
@@ -184,19 +165,6 @@ FieldOfView field_of_view(const Packing& packing, const RdfOptions& options) {
 }
 
 }  // namespace
-
-double quarter_disc_area(double r, double a, double b) {
-  if (a <= 0 || b <= 0) return 0;
-  if (a * a + b * b <= r * r) return a * b;
-  a = std::min(a, r);
-  b = std::min(b, r);
-  // Flat part b up to where the circle comes below it, then the integral of sqrt(r^2 - x^2).
-  const double start = std::sqrt((r - b) * (r + b));
-  const auto primitive = [r](double x) {
-    return 0.5 * (x * std::sqrt((r - x) * (r + x)) + r * r * std::asin(x / r));
-  };
-  return b * start + primitive(a) - primitive(start);
-}
 
 RdfSample::RdfSample(const RdfOptions& options) : options_(options) {
   const auto bins = bins_of(options);

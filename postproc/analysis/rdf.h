@@ -74,10 +74,6 @@ struct RdfPair {
 void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_t first,
                    std::size_t last, const std::function<void(const RdfPair&)>& visit);
 
-/// Returns the area of the part of a disc (radius r, centre at the origin) with 0 <= x <= a and
-/// 0 <= y <= b; lengths in one unit, the area in its square.
-double quarter_disc_area(double r, double a, double b);
-
 /// Writes a CSV table with the columns r_over_dp, g, standard_error, pairs.
 void write_rdf_table(const Rdf& rdf, const std::string& file);
 }  // namespace rodpack

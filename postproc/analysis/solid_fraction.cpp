@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/fields.h"
 #include "reading/csv_file.h"
-#include "rodpack/averaging/averaging_kernel.h"
+#include "rodpack/averaging/kernel_share.h"
 
 namespace rodpack {
 namespace {
@@ -13,6 +14,41 @@ namespace {
 // Relative margin of comparisons of lengths: the paper's container leaves exactly 3 w beside its
 // slice, and lengths in parameters.json and dumps are rounded to six digits or more.
 constexpr double rounding = 1e-5;
+
+// Mean of f between two places by Simpson's rule, steps below `longest`.
+template <class Function>
+double simpson_mean(double from, double to, double longest, Function f) {
+  const int steps = 2 * std::max(1, static_cast<int>(std::ceil((to - from) / longest / 2)));
+  double sum = f(from) + f(to);
+  for (int k = 1; k < steps; ++k) sum += (k % 2 ? 4 : 2) * f(from + (to - from) * k / steps);
+  return sum / (3 * steps);
+}
+
+// Mean over the slice from the height `from` to the surface of the solid fraction divided by the
+// kernel's share between the walls and below the surface, which is a product of one factor across
+// the bed and one along its height. `share`: as below, for a bed without side walls.
+double normalised_mean(const Packing& packing, double left, double width, double from, double scale,
+                       std::vector<double> share) {
+  const AveragingKernel kernel(KernelShape::gaussian, 2, scale);
+  const double step = scale / 24;  // leaves an error of (1/24)^4 / 180 of the Gaussian: 2e-8
+  const auto space = counted_space(packing, Normalisation::walls_and_surface);
+  const Rectangle all = counted_space(packing, Normalisation::none);
+  const double middle_x = left + width / 2, middle_y = (from + packing.surface) / 2;
+  const Rectangle between{space.left, space.right, all.bottom, all.top};
+  const Rectangle below{all.left, all.right, space.bottom, space.top};
+  if (packing.walls.sides)
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      share[i] =
+          packing.area[i] * simpson_mean(left, left + width, step, [&](double x) {
+            return gaussian(x - packing.x[i], scale) / kernel_share(kernel, x, middle_y, between);
+          });
+  return simpson_mean(from, packing.surface, step, [&](double y) {
+    double phi = 0;
+    for (std::size_t i = 0; i < packing.size(); ++i)
+      phi += share[i] * gaussian(y - packing.y[i], scale);
+    return phi / kernel_share(kernel, middle_x, y, below);
+  });
+}
 
 }  // namespace
 
@@ -45,6 +81,13 @@ SolidFraction solid_fraction(const Packing& packing) {
   };
   field.up_to_surface = mean(field.lowest, field.surface);
   field.up_to_3_scales_below = mean(field.lowest, field.surface - 3 * field.scale);
+
+  const auto normalised = [&](double from) -> std::optional<double> {
+    if (packing.surface <= from) return std::nullopt;
+    return normalised_mean(packing, left, width, from, field.scale, share);
+  };
+  field.normalised_up_to_surface = normalised(field.lowest);
+  field.normalised_from_floor_to_surface = normalised(walls.floor);
 
   for (std::size_t i = 0; i < packing.size(); ++i)
     if (packing.y[i] < packing.surface) field.covered_below_surface += packing.area[i];

@@ -20,9 +20,13 @@ struct SolidFraction {
   std::vector<double> phi;              // one per height
   std::optional<double> up_to_surface;  // mean; none when the bed is lower than 3 w
   std::optional<double> up_to_3_scales_below;  // mean up to 3 w below the surface
-  double covered_below_surface = 0;            // covered area over bed area, edges included
-  bool side_distance_kept = false;  // the slice is 3 w, to a relative 1e-5, away from the side
-                                    // walls, or there are none
+  // The same, and from the floor on, of the solid fraction divided by the kernel's share between
+  // the walls and below the surface, which does not sink towards floor and surface.
+  std::optional<double> normalised_up_to_surface;
+  std::optional<double> normalised_from_floor_to_surface;
+  double covered_below_surface = 0;  // covered area over bed area, edges included
+  bool side_distance_kept = false;   // the slice is 3 w, to a relative 1e-5, away from the side
+                                     // walls, or there are none
 };
 
 /// Measures it for one frame.

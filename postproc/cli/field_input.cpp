@@ -55,6 +55,19 @@ void add_kernel_options(CLI::App& command, FieldInput& options) {
                   "relative error allowed: cut-off of the Gaussian and points along a branch")
       ->check(CLI::Range(1e-15, 0.1))
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--normalise",
+          [&fields](const std::string& space) {
+            fields.normalisation = space == "none"    ? Normalisation::none
+                                   : space == "walls" ? Normalisation::walls
+                                                      : Normalisation::walls_and_surface;
+          },
+          "divide the densities by the kernel's share inside the container, so that they do not "
+          "sink towards its edges: none, walls (the floor too) or walls-and-surface (of the bed; "
+          "above it all is 0)")
+      ->check(CLI::IsMember({"none", "walls", "walls-and-surface"}))
+      ->default_str("none");
   command.add_option("--spacing", fields.spacing, "of the grid, m [default: w/4]")
       ->check(CLI::PositiveNumber)
       ->type_name("M");

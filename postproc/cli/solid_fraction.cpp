@@ -42,6 +42,12 @@ void add_solid_fraction(CLI::App& app) {
     std::cout << all.report() << "slice, w = 3 AR d_p, from 3 w above the floor: up to the surface "
               << mean(slice.up_to_surface) << ", up to 3 w below it "
               << mean(slice.up_to_3_scales_below) << '\n'
+              << "divided by the kernel's share between walls and below the surface: up to the "
+                 "surface "
+              << mean(slice.normalised_up_to_surface) << ", from the floor on "
+              << mean(slice.normalised_from_floor_to_surface)
+              << "; covered area over that of the bed "
+              << number_text(slice.covered_below_surface, 4) << '\n'
               << "written: " << stem << ".vti .csv .png .svg\n";
   });
 }

@@ -77,6 +77,10 @@ void report_solid_fraction(const Packing& packing, const fs::path& out, Json& su
   mean("solid_fraction_from_3_omega_above_floor_to_surface", field.up_to_surface);
   mean("solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
        field.up_to_3_scales_below);
+  mean("solid_fraction_normalised_by_kernel_share_from_3_omega_above_floor_to_surface",
+       field.normalised_up_to_surface);
+  mean("solid_fraction_normalised_by_kernel_share_from_floor_to_surface",
+       field.normalised_from_floor_to_surface);
   summary["covered_area_over_area_below_surface"] = field.covered_below_surface;
   if (!field.up_to_3_scales_below)
     summary["notes"].push_back("solid fraction: the bed, " +

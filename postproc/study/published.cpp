@@ -90,21 +90,21 @@ std::vector<PublishedValue> read_published(const std::string& file, const Ensemb
   return published;
 }
 
-std::optional<double> Comparison::deviation() const {
+std::optional<double> PublishedComparison::deviation() const {
   if (!published || !combined_error || !(*combined_error > 0)) return std::nullopt;
   return difference / *combined_error;
 }
 
-std::vector<Comparison> compare_with_published(const Ensemble& ensemble,
-                                               const std::vector<PublishedValue>& published,
-                                               const std::string& quantity) {
+std::vector<PublishedComparison> compare_with_published(
+    const Ensemble& ensemble, const std::vector<PublishedValue>& published,
+    const std::string& quantity) {
   // The paper names no distance from the surface: its values stand beside either average.
   const bool fraction = quantity == "solid_fraction_to_3_omega_below_surface";
-  std::vector<Comparison> rows;
+  std::vector<PublishedComparison> rows;
   for (const auto& each : ensemble.cases) {
     const auto* measured = number_of(&each, quantity);
     if (!measured) continue;
-    Comparison row;
+    PublishedComparison row;
     row.case_name = each.name;
     row.quantity = quantity;
     row.measured = *measured;

@@ -31,7 +31,7 @@ std::string find_published(const std::string& given, const std::string& study);
 std::vector<PublishedValue> read_published(const std::string& file, const Ensemble& ensemble);
 
 /// What was measured beside what was published.
-struct Comparison {
+struct PublishedComparison {
   std::string case_name, quantity;
   EnsembleMean measured;
   std::optional<PublishedValue> published;
@@ -46,9 +46,9 @@ struct Comparison {
 
 /// Compares a number of the ensemble with every published value of it, in the order of the cases; a
 /// case without one has a row too. Sensitivity cases are left out unless there is one.
-std::vector<Comparison> compare_with_published(const Ensemble& ensemble,
-                                               const std::vector<PublishedValue>& published,
-                                               const std::string& quantity);
+std::vector<PublishedComparison> compare_with_published(
+    const Ensemble& ensemble, const std::vector<PublishedValue>& published,
+    const std::string& quantity);
 
 /// Says over which heights a solid fraction of that name is averaged; empty for other quantities.
 std::string averaging_of(const std::string& quantity);

@@ -23,7 +23,7 @@ std::string optional_text(const std::optional<double>& value) {
   return value ? number_text(*value, 6) : "";
 }
 
-std::string csv_row(const Comparison& row) {
+std::string csv_row(const PublishedComparison& row) {
   const auto& published = row.published;
   return csv_line({row.case_name, row.quantity, averaging_of(row.quantity),
                    number_text(row.measured.mean, 6), optional_text(row.measured.sem),
@@ -40,7 +40,7 @@ std::string measured_text(const EnsembleMean& mean) {
   return fixed(mean.mean, 4) + (mean.sem ? " ± " + fixed(*mean.sem, 4) : "");
 }
 
-std::string deviation_text(const Comparison& row) {
+std::string deviation_text(const PublishedComparison& row) {
   if (!row.published) return "";
   const auto deviation = row.deviation();
   return (row.difference < 0 ? "−" : "+") + fixed(std::fabs(row.difference), 4) +
@@ -48,7 +48,8 @@ std::string deviation_text(const Comparison& row) {
 }
 
 // The other average of the same case and published value.
-const Comparison* partner(const std::vector<Comparison>& rows, const Comparison& row) {
+const PublishedComparison* partner(const std::vector<PublishedComparison>& rows,
+                                   const PublishedComparison& row) {
   for (const auto& other : rows)
     if (other.case_name == row.case_name &&
         (!row.published || (other.published && other.published->source == row.published->source)))

@@ -132,6 +132,48 @@ TEST(Fields, LatticeCarriesTheWeightOfItsLayers) {
   EXPECT_TRUE(found);
 }
 
+// The lattice up to its surface and walls, w = 2 a: its solid fraction is even, pi/4, to the error
+// of the sum over its rows, below (a/w)^2/24 t' / (1/2) < 0.01 of it at an edge. The stress, at the
+// walls too, is the plain one over the share, (1 + erf(h / w sqrt 2)) / 2 at the height h.
+TEST(Fields, NormalisedByTheKernelsShareDensitiesAreEvenUpToTheEdges) {
+  const auto made = lattice();
+  const auto bodies = frame_of(made.bodies_frame(1)), contacts = frame_of(made.contacts_frame(1));
+  auto packing = read_packing(bodies);
+  packing.surface = made.n * made.a;
+  FieldOptions options;
+  options.scale = 2 * made.a;
+  options.spacing = made.a;
+  options.tolerance = 1e-9;
+  const auto fields_with = [&](Normalisation normalisation) {
+    options.normalisation = normalisation;
+    FieldSample sample(options);
+    sample.add(packing, bodies, &contacts);
+    return std::pair(sample.fields(), *sample.averages().grid());
+  };
+  const auto [plain, grid] = fields_with(Normalisation::none);
+  const auto walls = fields_with(Normalisation::walls).first;
+  const auto both = fields_with(Normalisation::walls_and_surface).first;
+  const double w = *options.scale, width = made.n * made.a;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const Vector place = grid.place(i);
+    const double share_x = gaussian_integral(-place[0], width - place[0], w);
+    const double share_y = 0.5 * (1 + std::erf(place[1] / (w * std::sqrt(2.0))));
+    const auto phi = [i](const std::vector<Field>& fields) {
+      return field_named(fields, "solid_fraction").values[0][i];
+    };
+    const auto yy = [i](const std::vector<Field>& fields) {
+      return field_named(fields, "contact_stress").values[3][i];
+    };
+    EXPECT_NEAR(yy(walls), yy(plain) / (share_x * share_y), 1e-12 * std::abs(yy(walls)));
+    EXPECT_NEAR(phi(walls), phi(plain) / (share_x * share_y), 1e-12);
+    const bool below = place[1] <= packing.surface * (1 + 1e-12);
+    EXPECT_NEAR(phi(both), below ? M_PI / 4 : 0, 0.02) << place[0] << ' ' << place[1];
+    if (!below) {
+      EXPECT_EQ(yy(both), 0);
+    }
+  }
+}
+
 // diag(3, 1) turned by 30 degrees.
 TEST(Fields, PrincipalStressOfATurnedTensor) {
   const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
@@ -242,6 +284,17 @@ TEST(FieldCommands, WriteTablesImagesAndFigures) {
     EXPECT_TRUE(written(name)) << name;
   // No friction at the walls: the pressure grows linearly with depth.
   EXPECT_THAT(done.output, testing::AnyOf(HasSubstr("does not saturate"), HasSubstr("straight")));
+
+  // Half of the kernel is inside at the floor, where the pressure is twice as high for it.
+  const auto last_pressure = [&](const std::string& options) {
+    done = run("profile bodies.7.dump --scale-in-dp 2 -o p " + options);
+    EXPECT_EQ(done.exit_code, 0) << done.output;
+    return rodpack::test::read_table(folder / "p.csv").column("pressure_N_m").back();
+  };
+  EXPECT_NEAR(last_pressure("--normalise walls") / last_pressure(""), 2, 1e-3);
+  done = run("solid-fraction bodies.7.dump --scale 0.006 -o phi --normalise walls-and-surface");
+  EXPECT_THAT(done.output, HasSubstr("divided by the kernel's share"));
+  EXPECT_EQ(run("stress bodies.7.dump --normalise floor").exit_code, 2);
 
   put(folder / "bodies.8.dump", made.bodies_frame(8));
   put(folder / "contacts.8.dump", frame_head(8, 0, made.n * made.a, 1, contact_columns));

@@ -144,6 +144,57 @@ TEST(SolidFraction, EvenBedMatchesAreaPerAreaAndTheKernelsTail) {
   EXPECT_TRUE(field.side_distance_kept);
 }
 
+// Divided by the kernel's share the same even bed keeps 0.8 from the floor to the surface. Rows h
+// apart sum the kernel by the midpoint rule, whose error h^2/24 t'(z), divided by a share of 1/2 or
+// more, is at both edges together at most 4 h^2 / (24 w sqrt(2 pi)) / height of it: 2e-4 with h =
+// w/3 and a height of 3. So low a bed as 2 w is measured alike.
+TEST(SolidFraction, NormalisedByTheKernelsShareAnEvenBedIsEvenToItsEdges) {
+  for (const double height : {3.0, 0.3})
+    for (const bool periodic : {false, true}) {
+      Packing packing;
+      const double h = 0.05;
+      for (int i = 0; i < 4 / h; ++i)
+        for (int j = 0; j < height / h - 1e-9; ++j) {
+          packing.x.push_back((i + 0.5) * h);
+          packing.y.push_back((j + 0.5) * h);
+          packing.area.push_back(0.8 * h * h);
+        }
+      packing.walls.right = 4;
+      packing.walls.sides = !periodic;
+      packing.particle_diameter = 0.05;
+      packing.aspect_ratio = 1;  // w = 0.15
+      packing.surface = height;
+      const auto field = solid_fraction(packing);
+      const double error = 0.8 * 4 * h * h / (24 * 0.15 * std::sqrt(2 * std::acos(-1.0))) / height;
+      EXPECT_NEAR(*field.normalised_from_floor_to_surface, 0.8, error);
+      ASSERT_EQ(field.normalised_up_to_surface.has_value(), height > 0.45);
+      EXPECT_NEAR(field.covered_below_surface, 0.8, 1e-12);
+      if (!field.normalised_up_to_surface) continue;
+      EXPECT_NEAR(*field.normalised_up_to_surface, 0.8, error);
+      EXPECT_LT(*field.up_to_surface, 0.8 - 10 * error);  // as it is, it sinks to the surface
+    }
+}
+
+// The slice of a narrow container, 2.2 l_axial wide: the walls are 0.1 l_axial from it, and the
+// kernel's loss there is made good too.
+TEST(SolidFraction, NormalisationCountsSideWallsNearTheSlice) {
+  Packing packing;
+  const double h = 0.01;
+  for (int i = 0; i < 11; ++i)
+    for (int j = 0; j < 100; ++j) {
+      packing.x.push_back((i + 0.5) * h);
+      packing.y.push_back((j + 0.5) * h);
+      packing.area.push_back(0.8 * h * h);
+    }
+  packing.walls.right = 0.11;
+  packing.particle_diameter = 0.05;
+  packing.surface = 1;
+  const auto field = solid_fraction(packing);
+  EXPECT_FALSE(field.side_distance_kept);
+  EXPECT_LT(*field.up_to_3_scales_below, 0.3);
+  EXPECT_NEAR(*field.normalised_from_floor_to_surface, 0.8, 1e-3);
+}
+
 TEST(SolidFraction, BedLowerThanTheAveragingHeightsHasNoMean) {
   const Bed bed(4, 0.4);
   Packing packing;

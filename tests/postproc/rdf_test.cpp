@@ -38,19 +38,6 @@ void expect_ideal(const Rdf& rdf) {
   EXPECT_LT(rdf.tail_standard_error, 0.1);  // the check above means something
 }
 
-TEST(QuarterDiscArea, MatchesClosedForms) {
-  EXPECT_NEAR(quarter_disc_area(2, 5, 5), pi, 1e-12);  // whole quarter: pi r^2 / 4
-  EXPECT_NEAR(quarter_disc_area(5, 1, 2), 2, 1e-12);   // whole rectangle
-  EXPECT_NEAR(quarter_disc_area(1, 0, 1), 0, 1e-12);
-  // Cut at x = r/2: half of the strip = (r^2/2)(t + sin t cos t) with sin t = 1/2.
-  const double t = pi / 6;
-  EXPECT_NEAR(quarter_disc_area(1, 0.5, 3), 0.5 * (t + 0.5 * std::cos(t)), 1e-12);
-  EXPECT_NEAR(quarter_disc_area(1, 3, 0.5), 0.5 * (t + 0.5 * std::cos(t)), 1e-12);
-  // a = b = 0.8, r = 1: flat part 0.8 * 0.6, then the integral of sqrt(1 - x^2) from 0.6 to 0.8,
-  // (asin 0.8 - asin 0.6) / 2 + (0.8 * 0.6 - 0.6 * 0.8) / 2.
-  EXPECT_NEAR(quarter_disc_area(1, 0.8, 0.8), 0.48 + (std::asin(0.8) - std::asin(0.6)) / 2, 1e-12);
-}
-
 TEST(Rdf, IdealGasGivesOneWithWholeRings) {
   RdfSample sample({0.25, 10, -1});
   sample.add(ideal_gas(120, 120, 14400, 2));
