@@ -66,8 +66,8 @@ std::string figure_html(const fs::path& folder, const FigureText& text, int numb
 
 }  // namespace
 
-std::string figures_html(const fs::path& folder, const std::vector<FigureText>& texts,
-                         int& number) {
+std::string figures_html(const fs::path& folder, const std::vector<FigureText>& texts, int& number,
+                         bool wide) {
   auto stems = stems_in(folder);
   std::string html;
   for (const auto& text : texts) {
@@ -79,7 +79,7 @@ std::string figures_html(const fs::path& folder, const std::vector<FigureText>& 
   for (const auto& stem : stems) {
     std::string words = stem;
     std::replace(words.begin(), words.end(), '_', ' ');
-    html += figure_html(folder, {stem, escaped(words), "", false}, ++number);
+    html += figure_html(folder, {stem, escaped(words), "", wide}, ++number);
   }
   return html.empty() ? html : "<div class=\"figures\">\n" + html + "</div>\n";
 }

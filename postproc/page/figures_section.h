@@ -18,10 +18,10 @@ struct FigureText {
 
 /// Puts all figures of `folder` into HTML, the files themselves in base64, each as .svg or .png,
 /// whichever is smaller: first those of `texts`, in their order, then the others by name.
-/// `number`: of the last figure before; counted on.
+/// `number`: of the last figure before; counted on. `wide`: the others take the width of the page.
 /// @throws DataError when a file cannot be read.
 std::string figures_html(const std::filesystem::path& folder, const std::vector<FigureText>& texts,
-                         int& number);
+                         int& number, bool wide = false);
 
 }  // namespace rodpack
 

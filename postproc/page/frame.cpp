@@ -56,9 +56,11 @@ std::string notes_html(const std::vector<Note>& notes) {
     std::vector<std::string> about;
     bool other_numbers = false;
   };
+  const std::regex number("[0-9][0-9.]*");
   std::vector<Item> items;  // in order of appearance
   for (const auto& note : notes) {
-    const auto pattern = std::regex_replace(note.text, std::regex("[0-9][0-9.]*"), "#");
+    const auto pattern =
+        note.about.empty() ? note.text : std::regex_replace(note.text, number, "#");
     auto found = std::find_if(items.begin(), items.end(),
                               [&](const Item& item) { return item.pattern == pattern; });
     if (found == items.end()) found = items.insert(items.end(), {pattern, note.text, {}, false});

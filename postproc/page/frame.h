@@ -33,7 +33,8 @@ struct ShownPacking {
 /// says which and why.
 std::string viewer_html(const std::vector<ShownPacking>& packings);
 
-/// A list of notes; those that are equal, numbers aside, stand once, with the names they belong to.
+/// A list of notes; those about runs or cases that are equal, numbers aside, stand once, with the
+/// names they belong to.
 struct Note {
   std::string about;  // a run or case, plain text; may be empty
   std::string text;   // plain text

@@ -28,6 +28,19 @@ std::string data(double value, const std::string& shown) {
   return "<data value=\"" + nlohmann::json(value).dump() + "\">" + shown + "</data>";
 }
 
+// Four digits, zeros at the end too: all numbers of a column look alike. Counts stay whole.
+std::string without_error(double value, double factor) {
+  if (!std::isfinite(value)) return "none";
+  const double shown = value * factor;
+  if (std::fabs(shown - std::round(shown)) <= 1e-12 * std::fabs(shown) && std::fabs(shown) < 1e9)
+    return number_html(value, 10, factor);
+  char text[40];
+  std::snprintf(text, sizeof text, "%#.4g", shown);
+  std::string digits = text;
+  if (digits.back() == '.') digits.pop_back();
+  return data(value, typeset(digits));
+}
+
 std::string with_decimals(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
@@ -92,7 +105,7 @@ std::string number_html(double value, int significant_digits, double factor) {
 
 std::string measured_html(double mean, std::optional<double> standard_error, double factor) {
   if (!standard_error || !(*standard_error > 0) || !std::isfinite(mean))
-    return number_html(mean, 4, factor);
+    return without_error(mean, factor);
   const double value = mean * factor, error = *standard_error * factor;
   const double larger = std::max(std::fabs(value), error);
   int exponent = static_cast<int>(std::floor(std::log10(larger)));

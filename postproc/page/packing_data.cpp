@@ -115,9 +115,10 @@ class Shapes {
 
   /// Place of the particle's shape among json(). @throws DataError when its spheres lie elsewhere.
   std::uint32_t shape_of(std::size_t body) {
-    const double half_length = bodies_.column("half_length")[body];
-    const double curvature = bodies_.column("curvature")[body];
     const auto& mine = spheres_of(body);
+    const bool sphere = mine.size() == 1;  // half its length is its radius, which differs
+    const double half_length = sphere ? 0 : bodies_.column("half_length")[body];
+    const double curvature = sphere ? 0 : bodies_.column("curvature")[body];
     const auto [found, is_new] =
         places_.try_emplace({mine.size(), half_length, curvature}, centres_.size());
     if (is_new) add(body, mine, half_length, curvature > 0);
@@ -164,7 +165,11 @@ class Shapes {
   Json json_ = Json::array();
 };
 
-ColourScale scale_of(const Frame& spheres) {
+// As render_spheres() shades, but for plain spheres, on which the forces balance the weight: there
+// it is the sum of their magnitudes that tells them apart.
+ColourScale scale_of(const Frame& bodies, const Frame& spheres) {
+  if (spheres.has("fsum") && spheres.rows == bodies.rows)
+    return force_scale(spheres.column("fsum"), std::nullopt, "sum of contact forces");
   const auto force = vector_columns(spheres, {"fx", "fy", "fz"});
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < spheres.rows; ++i)
@@ -271,7 +276,7 @@ Json packing_data(const std::string& run_folder) {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
 
-  const auto scale = scale_of(spheres);
+  const auto scale = scale_of(bodies, spheres);
   Shapes shapes(bodies, spheres);
   std::map<long, std::uint32_t> places;
   std::vector<std::uint32_t> ids, angle, shape, shade;

@@ -13,10 +13,11 @@ namespace rodpack {
 /// - `particles`, `first_id` or `ids` (32 bits); `index_bits`: 16 or 32, of `contacts`
 /// - `x` `y` `angle` `radius`: 16 bits, of the ranges `x_range` `y_range` (m), [0, 360)°,
 ///   `radius_range` (m); `shape`: 8 bits, place in `shapes`
-/// - `shapes`: `half_length_m`, `gamma_range_deg` (180 straight, 360 curved, 0 a sphere) and
+/// - `shapes`: `half_length_m` (0 for a sphere), `gamma_range_deg` (180 straight, 360 curved, 0 a
+/// sphere) and
 ///   `centres` of the primary spheres in the body's frame, in units of 2 (half length − radius)
 /// - `shade`: 8 bits per sphere, place in `scale.colours`, as render_spheres() shades the
-///   magnitude of the net contact force
+///   magnitude of the net contact force; of plain spheres the sum of the magnitudes
 /// - `contacts`: `i`, `j` places of particles (from `particles` on: of `walls`), `force` 16 bits:
 ///   0 none, else f = lowest (highest / lowest)^((q − 1) / 65534), N; the sum over the sphere
 ///   contacts of a pair, as force_lines() has it; null, and `contacts_missing` says why, where they

@@ -11,6 +11,7 @@
 #include "page/json_input.h"
 #include "page/tables.h"
 #include "page/words.h"
+#include "reading/table.h"
 
 namespace rodpack {
 namespace {
@@ -22,6 +23,15 @@ fs::path results(const Study& study) { return fs::path(study.folder) / "ensemble
 std::string missing(const Study& study, const std::string& file) {
   return "<p class=\"missing\">Missing: ensemble/" + file + ". <code>rodpack ensemble " +
          escaped(study.folder) + "</code> writes it.</p>\n";
+}
+
+// What stands in all fields of a column that are not empty; empty where they differ.
+std::string only_word(const Table& table, const std::string& column) {
+  const auto& names = table.names();
+  if (std::find(names.begin(), names.end(), column) == names.end()) return "";
+  std::set<std::string> words(table.words(column).begin(), table.words(column).end());
+  words.erase("");
+  return words.size() == 1 ? *words.begin() : "";
 }
 
 std::string text_of(const Json& row, const char* key) {
@@ -87,7 +97,7 @@ bool begins_with_one_of(const std::string& name, const std::vector<std::string>&
 std::string numbers_table(const Ensemble& ensemble, const std::vector<std::string>& names,
                           const std::string& caption) {
   HtmlTable table{caption, {"Case"}, {false}, {}};
-  for (const auto& one : ensemble.cases) table.rows.push_back({escaped(one.name)});
+  for (const auto& one : ensemble.cases) table.rows.push_back({name_html(one.name)});
   for (const auto& name : names) {
     const auto words = wording(name);
     double largest = 0;
@@ -95,8 +105,8 @@ std::string numbers_table(const Ensemble& ensemble, const std::vector<std::strin
       if (const auto found = one.numbers.find(name); found != one.numbers.end())
         largest = std::max(largest, std::fabs(found->second.mean));
     const auto unit = readable_unit(largest, words.unit);
-    table.header.push_back("<span title=\"" + escaped(name) + "\">" + words.label +
-                           (unit.name.empty() ? "" : " (" + unit.name + ")") + "</span>");
+    table.header.push_back("<span title=\"" + escaped(name) + "\">" + heading(name, unit.name) +
+                           "</span>");
     table.numeric.push_back(true);
     for (std::size_t k = 0; k < ensemble.cases.size(); ++k) {
       const auto& one = ensemble.cases[k];
@@ -115,15 +125,39 @@ std::string numbers_table(const Ensemble& ensemble, const std::vector<std::strin
   return table_html(table);
 }
 
+// As many tables as fit on paper, with columns shared out evenly.
+std::string numbers_tables(const Ensemble& ensemble, const std::vector<std::string>& names,
+                           const std::string& theme) {
+  constexpr std::size_t most_columns = 6;
+  const std::size_t tables = (names.size() + most_columns - 1) / most_columns;
+  std::string html;
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < tables; ++k) {
+    const std::size_t end = names.size() * (k + 1) / tables;
+    html += numbers_table(ensemble,
+                          {names.begin() + static_cast<std::ptrdiff_t>(begin),
+                           names.begin() + static_cast<std::ptrdiff_t>(end)},
+                          k == 0 ? "<b>" + theme + "</b>" : "");
+    begin = end;
+  }
+  return html;
+}
+
 }  // namespace
 
 std::string solid_fraction_html(const Study& study) {
-  const auto file = results(study) / "table2.csv";
+  const auto file = (results(study) / "table2.csv").string();
   if (!fs::exists(file)) return missing(study, "table2.csv");
+  std::set<std::string> left_out{"quantity", "rounding_error"};
+  const auto source = only_word(read_table(file), "source");
+  if (!source.empty()) left_out.insert("source");
   return "<p>Mean solid fraction φ ± standard error of the mean over n repetitions, beside "
          "published "
-         "values; the difference is also given in units of the combined error.</p>\n" +
-         csv_table(file.string(), "", {"quantity"});
+         "values" +
+         (source.empty() ? "" : " (" + escaped(source) + ")") +
+         "; the difference ± the combined error, which holds also the rounding of the published "
+         "value, and in units of it.</p>\n<div class=\"dense\">" +
+         csv_table(file, "", left_out) + "</div>\n";
 }
 
 std::string claims_html(const Study& study) {
@@ -152,7 +186,7 @@ std::string study_figures_html(const Study& study) {
       texts.push_back({name, "Paper's " + paper, text_of(figure, "caption"), true});
     }
   int number = 0;
-  std::string html = figures_html(results(study), texts, number);
+  std::string html = figures_html(results(study), texts, number, true);
   if (html.empty()) html = missing(study, "fig….png");
   if (!not_drawn.empty()) html += "<p>Not drawn:</p>\n" + notes_html(not_drawn);
   return html;
@@ -165,7 +199,6 @@ std::string numbers_html(const Study& study) {
   std::string html =
       "<p>Means over the repetitions of a case ± standard error of the mean; n is told where fewer "
       "repetitions have the number.</p>\n";
-  constexpr std::size_t columns = 5;  // as many as fit on paper
   for (const auto& theme : themes()) {
     std::vector<std::string> names;
     for (auto name = left.begin(); name != left.end();)
@@ -175,12 +208,7 @@ std::string numbers_html(const Study& study) {
       } else {
         ++name;
       }
-    for (std::size_t at = 0; at < names.size(); at += columns)
-      html += numbers_table(
-          study.ensemble,
-          {names.begin() + static_cast<std::ptrdiff_t>(at),
-           names.begin() + static_cast<std::ptrdiff_t>(std::min(at + columns, names.size()))},
-          std::string("<b>") + theme.name + "</b>");
+    html += numbers_tables(study.ensemble, names, theme.name);
   }
   return html;
 }

@@ -100,17 +100,18 @@ HtmlTable cases_table(const Study& study) {
   table.header = {"Case"};
   table.numeric = {false};
   for (const auto& column : columns) {
-    const auto words = wording(column);
-    table.header.push_back(words.unit.empty() ? words.label
-                                              : words.label + " (" + words.unit + ")");
-    table.numeric.push_back(true);
+    table.header.push_back(heading(column));
+    const auto& cases = study.ensemble.cases;
+    table.numeric.push_back(std::all_of(cases.begin(), cases.end(), [&](const EnsembleCase& one) {
+      return !value_of(one, column).is_string();
+    }));
   }
   table.header.insert(table.header.end(), {"Repetitions", "Seeds"});
   table.numeric.insert(table.numeric.end(), {true, false});
   std::set<std::string> named;
   for (const auto& one : study.ensemble.cases) {
     named.insert(one.name);
-    std::vector<std::string> row{escaped(one.name)};
+    std::vector<std::string> row{name_html(one.name)};
     for (const auto& column : columns) row.push_back(cell(value_of(one, column)));
     row.push_back(std::to_string(one.runs.size()));
     std::string seeds = seeds_text(one.seeds);
@@ -125,7 +126,7 @@ HtmlTable cases_table(const Study& study) {
   if (study.table.contains("cases"))
     for (const auto& [name, planned] : study.table["cases"].items())
       if (!named.count(name)) {
-        std::vector<std::string> row{escaped(name)};
+        std::vector<std::string> row{name_html(name)};
         for (const auto& column : columns)
           row.push_back(cell(planned.value("parameters", Json::object()).value(column, Json())));
         row.insert(row.end(), {"0", "<span class=\"missing\">all missing</span>"});
@@ -175,7 +176,7 @@ std::string result_cell(const StudyRun& run, const char* key, int digits) {
 std::string cost_of_runs(const Study& study) {
   HtmlTable table{"",
                   {"Run", "Particles", "Steps", "Simulated time (s)", "Time it took (min)",
-                   "Processor time (core-h)"},
+                   "Processor time (core\u2011h)"},
                   {false, true, true, true, true, true},
                   {}};
   for (const auto& run : study.runs)
@@ -214,8 +215,8 @@ std::string runs_html(const Study& study) {
 
 std::string cost_html(const Study& study) {
   HtmlTable table{"Time-stepping alone, from the runs' logs. It depends on the machine.",
-                  {"Case", "Runs", "Time per run (min)", "Processor time per run (core-h)",
-                   "of all runs (core-h)"},
+                  {"Case", "Runs", "Time per run (min)", "Processor time per run (core\u2011h)",
+                   "Of all runs (core\u2011h)"},
                   {false, true, true, true, true},
                   {}};
   double total = 0;
@@ -225,14 +226,14 @@ std::string cost_html(const Study& study) {
     for (const auto& run : study.runs)
       if (run.case_name == one.name && run.cost) runs.push_back(&run);
     if (runs.empty()) {
-      table.rows.push_back({escaped(one.name), "0", "–", "–", "–"});
+      table.rows.push_back({name_html(one.name), "0", "–", "–", "–"});
       continue;
     }
     told += runs.size();
     const double count = static_cast<double>(runs.size());
     const double seconds = sum_of(runs, &RunCost::core_seconds);
     total += seconds;
-    table.rows.push_back({escaped(one.name), std::to_string(runs.size()),
+    table.rows.push_back({name_html(one.name), std::to_string(runs.size()),
                           number_html(sum_of(runs, &RunCost::wall_time_s) / count, 3, 1.0 / 60),
                           number_html(seconds / count, 3, 1.0 / 3600),
                           number_html(seconds, 3, 1.0 / 3600)});

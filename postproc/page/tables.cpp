@@ -39,12 +39,12 @@ std::optional<double> as_number(const std::string& word) {
 
 bool is_none(const std::string& word) { return word.empty() || word == "nan"; }
 
-std::string header_html(const std::string& name) {
-  const auto words = wording(name);
-  return words.unit.empty() ? words.label : words.label + " (" + words.unit + ")";
-}
-
 }  // namespace
+
+std::string name_html(const std::string& name) {
+  const bool one_word = name.find(' ') == std::string::npos && name.size() < 40;
+  return one_word ? "<span class=\"name\">" + escaped(name) + "</span>" : escaped(name);
+}
 
 std::string table_html(const HtmlTable& table) {
   const auto kind = [&](std::size_t column) {
@@ -103,7 +103,9 @@ std::string csv_table(const std::string& file, const std::string& caption,
   HtmlTable table{caption, {}, {}, std::vector<std::vector<std::string>>(csv.rows())};
   const auto& names = csv.names();
   const auto holds_errors = [&](std::size_t c) {
-    return c > 0 && c < names.size() && (names[c] == "sem" || names[c] == names[c - 1] + "_error");
+    return c > 0 && c < names.size() &&
+           (names[c] == "sem" || names[c] == "combined_error" ||
+            names[c] == names[c - 1] + "_error");
   };
   for (std::size_t c = 0; c < names.size(); ++c) {
     if (left_out.count(names[c]) || holds_errors(c)) continue;
@@ -111,14 +113,14 @@ std::string csv_table(const std::string& file, const std::string& caption,
     const bool numeric = std::all_of(words.begin(), words.end(), [](const std::string& word) {
       return is_none(word) || as_number(word);
     });
-    table.header.push_back(header_html(names[c]));
+    table.header.push_back(heading(names[c]));
     table.numeric.push_back(numeric);
     for (std::size_t row = 0; row < words.size(); ++row) {
       const auto error =
           holds_errors(c + 1) ? as_number(csv.words(names[c + 1])[row]) : std::nullopt;
       table.rows[row].push_back(is_none(words[row]) ? "–"
                                 : numeric           ? measured_html(*as_number(words[row]), error)
-                                                    : escaped(words[row]));
+                                                    : name_html(words[row]));
     }
   }
   return table_html(table);

@@ -18,6 +18,9 @@ struct HtmlTable {
   std::vector<bool> numeric;                   // per column: set flush right
   std::vector<std::vector<std::string>> rows;  // HTML
 };
+/// A name in a cell, which is not broken into lines where it is one word.
+std::string name_html(const std::string& name);
+
 /// Writes it; one wider than the page is scrolled by itself.
 std::string table_html(const HtmlTable& table);
 
@@ -26,8 +29,9 @@ std::string table_html(const HtmlTable& table);
 /// objects and arrays are left to the caller.
 std::string values_table(const nlohmann::ordered_json& values, const std::string& caption);
 
-/// Writes a CSV file as a table, its headers in words. A column "sem" or NAME_error behind a column
-/// (NAME) holds its standard errors and is put into it. `left_out`: columns not to show.
+/// Writes a CSV file as a table, its headers in words. A column "sem", "combined_error" or
+/// NAME_error behind a column (NAME) holds its standard errors and is put into it. `left_out`:
+/// columns not to show.
 /// @throws DataError when the file cannot be read.
 std::string csv_table(const std::string& file, const std::string& caption,
                       const std::set<std::string>& left_out = {});

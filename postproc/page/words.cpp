@@ -2,6 +2,7 @@
 #include "page/words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <utility>
 #include <vector>
@@ -28,25 +29,28 @@ const std::vector<std::pair<std::string, std::string>>& units() {  // the longer
 // Labels of keys, without their units, that the key itself says badly.
 const std::map<std::string, std::string>& labels() {
   static const std::map<std::string, std::string> all{
-      {"solid_fraction", "solid fraction φ, central slice up to the surface"},
+      {"solid_fraction", "solid fraction φ"},
       {"solid_fraction_from_3_omega_above_floor_to_surface",
        "solid fraction φ, central slice, from 3ω above the floor to the surface"},
       {"solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
        "solid fraction φ, central slice, from 3ω above the floor to 3ω below the surface"},
-      {"solid_fraction_to_3_omega_below_surface",
-       "solid fraction φ, central slice up to 3ω below the surface"},
+      {"solid_fraction_to_3_omega_below_surface", "solid fraction φ up to 3ω below the surface"},
       {"covered_area_over_area_below_surface",
        "area covered by particles / area of the bed below its surface"},
       {"omega", "coarse-graining scale ω"},
       {"nematic_order_S2", "nematic order <i>S</i><sub>2</sub>"},
+      {"nematic_order_S2_pooled", "nematic order <i>S</i><sub>2</sub>, repetitions pooled"},
       {"director", "director, angle to the horizontal"},
+      {"director_pooled", "director, repetitions pooled"},
       {"bed_height", "height of the bed"},
       {"orientation_particles", "particles in the orientation distribution"},
       {"orientation_left_out_closer_than_AR_dp_to_walls",
-       "particles left out of it, closer than AR <i>d</i><sub>p</sub> to a wall"},
+       "particles left out of it: closer than AR <i>d</i><sub>p</sub> to a wall"},
       {"rdf_centres", "centres of the radial distribution function"},
-      {"rdf_margin", "their least distance from walls and surface"},
+      {"rdf_margin", "least distance of those centres from walls and surface"},
       {"rdf_tail_mean", "<i>G</i>(<i>r</i>) at large <i>r</i>, has to be 1"},
+      {"rdf_peak_g", "highest peak of <i>G</i>(<i>r</i>)"},
+      {"rdf_peak_r", "distance <i>r</i> of that peak"},
       {"mean_normal_force", "mean normal force of a sphere contact"},
       {"mean_tangential_force", "mean tangential force of a sphere contact"},
       {"mobilised_friction_mean",
@@ -57,6 +61,9 @@ const std::map<std::string, std::string>& labels() {
       {"rattlers", "particles without contact"},
       {"janssen_pressure", "Janssen fit, pressure <i>P</i><sub>j</sub> at depth"},
       {"janssen_depth", "Janssen fit, depth <i>h</i><sub>c</sub>"},
+      {"janssen_depth_over_fitted_depth", "Janssen fit, <i>h</i><sub>c</sub> / fitted depth"},
+      {"janssen_depth_of_mean_profile", "Janssen fit to the mean profile, <i>h</i><sub>c</sub>"},
+      {"janssen_pressure_of_mean_profile", "Janssen fit to the mean profile, <i>P</i><sub>j</sub>"},
       {"janssen_rms_residual", "Janssen fit, rms residual"},
       {"kinetic_energy", "kinetic energy at the end"},
       {"elastic_energy", "elastic energy at the end"},
@@ -69,10 +76,11 @@ const std::map<std::string, std::string>& labels() {
       {"damping_ratio_tangential", "damping ratio η<sub>t</sub>"},
       {"normal_stiffness", "normal stiffness <i>k</i><sub>n</sub>"},
       {"tangential_stiffness", "tangential stiffness <i>k</i><sub>t</sub>"},
-      {"timestep", "time step"},
+      {"timestep_s", "time step"},
+      {"timestep", "steps of the run"},
       {"time", "simulated time"},
-      {"wall_time", "time it took"},
-      {"core_seconds", "processor time, s"},
+      {"wall_time", "time the run took"},
+      {"core_seconds", "processor time of all cores (s)"},
       {"sem", "standard error"},
       {"averaged_from", "averaged from"},
       {"published_error", "published error"},
@@ -98,14 +106,27 @@ Wording wording(const std::string& key) {
       stem = key.substr(0, key.size() - ending.size());
       break;
     }
-  if (const auto known = labels().find(stem); known != labels().end()) {
-    result.label = known->second;
-    return result;
-  }
+  for (const auto& name : {key, stem})
+    if (const auto known = labels().find(name); known != labels().end()) {
+      result.label = known->second;
+      return result;
+    }
   std::replace(stem.begin(), stem.end(), '_', ' ');
   result.label = escaped(stem);
   return result;
 }
+
+std::string heading(const std::string& key, const std::string& unit) {
+  auto label = wording(key).label;
+  const auto small = [&](std::size_t at) {
+    return at < label.size() && std::islower(static_cast<unsigned char>(label[at]));
+  };
+  if (small(0) && (small(1) || label[1] == ' '))
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+  return unit.empty() ? label : label + " (" + unit + ")";
+}
+
+std::string heading(const std::string& key) { return heading(key, wording(key).unit); }
 
 std::string particles_in_words(const nlohmann::ordered_json& parameters) {
   const auto number = [&](const char* key) {

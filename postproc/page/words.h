@@ -16,6 +16,10 @@ struct Wording {
 /// Returns the words for a key that names its unit ("container_width_m"), as all of rodpack's do.
 Wording wording(const std::string& key);
 
+/// The same as the head of a column: "Bed height (m)"; `unit`: another one than the key names.
+std::string heading(const std::string& key);
+std::string heading(const std::string& key, const std::string& unit);
+
 /// Says in words what particles a run had, by its parameters.json: "smooth spherocylinders of
 /// AR = 5"; "particles" where it does not tell. Plain text.
 std::string particles_in_words(const nlohmann::ordered_json& parameters);

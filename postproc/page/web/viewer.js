@@ -43,20 +43,51 @@ class Viewer {
     this.drawNow();
   }
 
-  /** Draws before the next frame of the screen; many calls draw once. */
+  /** Draws before the next frame of the screen; many calls draw once. What takes long to draw is
+   *  shown as a stretched copy of the last picture first, and drawn when the motion rests. */
   draw() {
+    // One finger scrolls the page while all is in sight, and moves the picture when it is zoomed.
+    this.canvas.style.touchAction = this.view.isFitted() ? 'pan-y' : 'none';
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame(() => this.drawNow());
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      clearTimeout(this.rest);
+      if (!(this.milliseconds > 30)) return this.drawNow();
+      this.drawCopy();
+      this.rest = setTimeout(() => this.drawNow(), 150);
+    });
+  }
+
+  context() {
+    const context = this.canvas.getContext('2d');
+    context.setTransform(window.devicePixelRatio, 0, 0, window.devicePixelRatio, 0, 0);
+    return context;
   }
 
   drawNow() {
-    this.waiting = false;
-    const context = this.canvas.getContext('2d');
-    context.setTransform(window.devicePixelRatio, 0, 0, window.devicePixelRatio, 0, 0);
-    drawPacking(context, this.packing, this.view, this.chosen);
-    // One finger scrolls the page while all is in sight, and moves the picture when it is zoomed.
-    this.canvas.style.touchAction = this.view.isFitted() ? 'pan-y' : 'none';
+    const begin = performance.now();
+    drawPacking(this.context(), this.packing, this.view, this.chosen);
+    this.milliseconds = performance.now() - begin;
+    this.drawn = { copy: null, x: this.view.x, y: this.view.y, scale: this.view.scale };
+  }
+
+  /** Stretches and moves the last picture to where the view is now. */
+  drawCopy() {
+    const { width, height } = this.view;
+    const { drawn } = this;
+    if (!drawn.copy) {
+      drawn.copy = document.createElement('canvas');
+      drawn.copy.width = this.canvas.width;
+      drawn.copy.height = this.canvas.height;
+      drawn.copy.getContext('2d').drawImage(this.canvas, 0, 0);
+    }
+    const stretch = this.view.scale / drawn.scale;
+    const [x, y] = this.view.toScreen(drawn.x, drawn.y);
+    const context = this.context();
+    context.fillStyle = '#ffffff';
+    context.fillRect(0, 0, width, height);
+    context.drawImage(drawn.copy, x - stretch * width / 2, y - stretch * height / 2, stretch * width, stretch * height);
   }
 
   choose(particle) {
@@ -64,7 +95,7 @@ class Viewer {
     this.input.value = particle === null ? '' : this.packing.id[particle];
     if (particle !== null) this.view.bringIntoSight(this.packing.x[particle], this.packing.y[particle]);
     showDetails(this.panel, this.packing, particle, other => this.choose(other));
-    this.draw();
+    this.drawNow();
   }
 
   chooseById(id) {
