@@ -108,7 +108,11 @@ def state_of(run, values, deck):
 
 def is_analysed(run):
     """`rodpack analyse` removes its summary first and writes it last."""
-    return read_json(run / "analysis" / "summary.json") is not None
+    summary = run / "analysis" / "summary.json"
+    if read_json(summary) is None:
+        return False
+    result = read_json(run / "result.json") or {}
+    return result.get("step") == read_json(summary).get("timestep")
 
 
 def last_time(energies):

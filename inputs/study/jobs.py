@@ -83,12 +83,14 @@ def prune(run, keep):
 
 
 def analyse(study, case, seed):
-    if read_json(study.run(case, seed) / "result.json") is not None:
+    run = study.run(case, seed)
+    # A group job that was killed is made again as a whole.
+    if read_json(run / "result.json") is not None and not is_analysed(run):
         log = study.log(case, seed)
-        status, lines = call([PROGRAMS / "rodpack", "analyse", study.run(case, seed)], log)
+        status, lines = call([PROGRAMS / "rodpack", "analyse", run], log)
         if status < 0:
             return 1
-        if status != 0 or not is_analysed(study.run(case, seed)):
+        if status != 0 or not is_analysed(run):
             fail(study, case, seed, f"analysis: {lines[-1] if lines else f'exit status {status}'}")
     touch(study.flag("analysed", case, seed))
     return 0
