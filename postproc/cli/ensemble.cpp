@@ -32,9 +32,12 @@ struct EnsembleOptions {
 };
 
 std::string output_folder(const EnsembleOptions& options) {
-  if (!options.out.empty()) return options.out;
   const fs::path first(options.folders.front());
-  return fs::exists(first / "cases.json") ? (first / "ensemble").string() : "ensemble";
+  if (options.out.empty())
+    return fs::exists(first / "cases.json") ? (first / "ensemble").string() : "ensemble";
+  // The folder above it is where names of runs start: without a slash at the end.
+  const fs::path out = fs::path(options.out).lexically_normal();
+  return (out.has_filename() ? out : out.parent_path()).string();
 }
 
 void bring_up_to_date(const FoundCases& found, const EnsembleOptions& options) {

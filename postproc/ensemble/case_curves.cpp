@@ -139,7 +139,9 @@ void add_profile(const CaseRuns& one, CurvesOfRuns& curves) {
   const auto read = read_tables(one, "profile");
   const auto highest = furthest(read);
   if (!highest) return;
-  const auto& x = read.x(*highest);
+  auto x = read.x(*highest);
+  // The surface itself, but for a rounding error.
+  if (std::fabs(x.front()) < 1e-9 * x.back()) x.front() = 0;
   for (const auto& column : measured_columns(read, *highest)) {
     if (std::count(principal_columns.begin(), principal_columns.end(), column)) continue;
     CurveOfRuns curve = empty_curve(read, x);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "analysis/janssen_fit.h"
@@ -27,6 +28,10 @@ const std::set<std::string> axes = {"director_deg", "profile.sigma_1_direction_d
 EnsembleMean mean_of(const std::string& name, const ValuesOfRuns& values) {
   return axes.count(name) ? mean_axis_over_runs(values) : mean_over_runs(values);
 }
+
+// Curves that are kept for each run.
+const std::set<std::string> kept_curves = {"rdf.g", "orientation.probability_density_per_deg",
+                                           "profile.pressure_N_m"};
 
 // The paper's own names of the two solid fractions, whose keys in summary.json name the heights.
 std::string name_of_number(const std::string& key) {
@@ -77,6 +82,18 @@ void add(EnsembleCase& mean, const std::string& name, const EnsembleMean& value)
   if (value.n > 0) mean.numbers[name] = value;
 }
 
+EnsembleCurve mean_curve(const std::string& name, const CurveOfRuns& curve) {
+  EnsembleCurve mean{curve.abscissa, curve.x, {}, {}};
+  for (const auto& values : curve.y) mean.y.push_back(mean_of(name, values));
+  if (!kept_curves.count(name)) return mean;
+  for (std::size_t run = 0; run < curve.y.front().size(); ++run) {
+    mean.of_runs.emplace_back();
+    for (const auto& values : curve.y)
+      mean.of_runs.back().push_back(values[run].value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return mean;
+}
+
 void add_pooled_order(const NumbersOfRuns& numbers, std::size_t runs, EnsembleCase& mean) {
   if (!numbers.count("orientation_particles")) return;
   add(mean, "nematic_order_S2_pooled",
@@ -101,7 +118,7 @@ void add_pooled_order(const NumbersOfRuns& numbers, std::size_t runs, EnsembleCa
 }
 
 // Means of the curve over the runs of the sample; none in a bin without a value.
-std::vector<std::optional<double>> mean_curve(const CurveOfRuns& curve, const Sample& sample) {
+std::vector<std::optional<double>> mean_of_sample(const CurveOfRuns& curve, const Sample& sample) {
   std::vector<std::optional<double>> result;
   for (const auto& values : curve.y) {
     ValuesOfRuns chosen;
@@ -135,7 +152,7 @@ void add_rdf_peak(const CurvesOfRuns& curves, std::size_t runs, EnsembleCase& me
   if (found == curves.end()) return;
   const auto peak = [&](double Peak::*part) {
     return bootstrap_over_runs(runs, [&, part](const Sample& sample) -> std::optional<double> {
-      const auto top = highest_peak(found->second.x, mean_curve(found->second, sample));
+      const auto top = highest_peak(found->second.x, mean_of_sample(found->second, sample));
       if (!top) return std::nullopt;
       return (*top).*part;
     });
@@ -154,7 +171,7 @@ void add_janssen_fit(const CurvesOfRuns& curves, const NumbersOfRuns& numbers, d
     profile.particle_diameter = diameter;
     profile.scale = mean_over_runs(numbers.at("omega_m")).mean;
     profile.depth_of_floor = pressure.x.back() * diameter;
-    const auto values = mean_curve(pressure, sample);
+    const auto values = mean_of_sample(pressure, sample);
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (!values[k]) continue;
       profile.depth.push_back(pressure.x[k] * diameter);
@@ -200,10 +217,7 @@ EnsembleCase mean_over_case(const CaseRuns& one) {
   const NumbersOfRuns numbers = read_numbers(one);
   for (const auto& [name, values] : numbers) add(mean, name, mean_of(name, values));
   const CurvesOfRuns curves = read_curves(one);
-  for (const auto& [name, curve] : curves) {
-    auto& result = mean.curves[name] = {curve.abscissa, curve.x, {}};
-    for (const auto& values : curve.y) result.y.push_back(mean_of(name, values));
-  }
+  for (const auto& [name, curve] : curves) mean.curves[name] = mean_curve(name, curve);
   add_pooled_order(numbers, runs, mean);
   add_rdf_peak(curves, runs, mean);
   add_janssen_fit(curves, numbers, one.parameters.value("particle_diameter_m", 0.0), runs, mean);

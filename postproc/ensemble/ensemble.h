@@ -22,6 +22,10 @@ struct EnsembleCurve {
   std::string abscissa;  // with its unit, as in the header of the table: r_over_dp
   std::vector<double> x;
   std::vector<EnsembleMean> y;
+  // The curve in each run, [run][bin], not a number where it has no value: for quantities derived
+  // from several bins, whose noise is common to the bins of a run. Kept for rdf.g,
+  // orientation.probability_density_per_deg and profile.pressure_N_m; empty for the others.
+  std::vector<std::vector<double>> of_runs{};
 };
 
 /// All repetitions of one case: same parameters, other seeds.
@@ -48,7 +52,9 @@ const EnsembleCase* case_named(const Ensemble& ensemble, const std::string& name
 /// malformed.
 Ensemble read_ensemble(const std::string& file);
 
-/// Writes `folder`/ensemble.json and one CSV table per case and measured table.
+/// Writes `folder`/ensemble.json, numbers.csv (columns case, number, mean, sem, n) and one CSV
+/// table per case and measured table. Tables of cases that an ensemble.json there names are removed
+/// first.
 /// @throws DataError when one cannot be written.
 void write_ensemble(const Ensemble& ensemble, const std::string& folder);
 

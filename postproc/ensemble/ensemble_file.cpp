@@ -9,6 +9,8 @@
 #include "reading/csv_file.h"
 #include "reading/data_error.h"
 #include "reading/json_file.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {
@@ -36,7 +38,14 @@ Json curve_json(const EnsembleCurve& curve) {
     sem.push_back(number_or_null(y.sem));
     n.push_back(y.n);
   }
-  return {{"abscissa", curve.abscissa}, {"x", curve.x}, {"mean", mean}, {"sem", sem}, {"n", n}};
+  Json json = {
+      {"abscissa", curve.abscissa}, {"x", curve.x}, {"mean", mean}, {"sem", sem}, {"n", n}};
+  for (const auto& run : curve.of_runs) {
+    Json values = Json::array();
+    for (const double value : run) values.push_back(number_or_null(value));
+    json["of_runs"].push_back(values);
+  }
+  return json;
 }
 
 Json case_json(const EnsembleCase& one) {
@@ -59,9 +68,14 @@ EnsembleMean mean_from(const Json& mean, const Json& sem, const Json& n) {
 }
 
 EnsembleCurve curve_from(const Json& json) {
-  EnsembleCurve curve{json.at("abscissa"), json.at("x").get<std::vector<double>>(), {}};
+  EnsembleCurve curve{json.at("abscissa"), json.at("x").get<std::vector<double>>(), {}, {}};
   for (std::size_t k = 0; k < curve.x.size(); ++k)
     curve.y.push_back(mean_from(json.at("mean").at(k), json.at("sem").at(k), json.at("n").at(k)));
+  for (const auto& run : json.value("of_runs", Json::array())) {
+    curve.of_runs.emplace_back();
+    for (std::size_t k = 0; k < curve.x.size(); ++k)
+      curve.of_runs.back().push_back(number_or_nan(run.at(k)));
+  }
   return curve;
 }
 
@@ -116,6 +130,17 @@ void write_tables(const EnsembleCase& one, const fs::path& folder) {
     write_csv((folder / (one.name + "_" + name + ".csv")).string(), columns);
 }
 
+// The numbers of all cases, a line each.
+void write_numbers(const Ensemble& ensemble, const fs::path& folder) {
+  std::string text = csv_line({"case", "number", "mean", "sem", "n"}) + "\n";
+  for (const auto& one : ensemble.cases)
+    for (const auto& [name, mean] : one.numbers)
+      text += csv_line({one.name, name, number_text(mean.mean),
+                        number_text(mean.sem.value_or(none)), std::to_string(mean.n)}) +
+              "\n";
+  write_text((folder / "numbers.csv").string(), text);
+}
+
 }  // namespace
 
 const EnsembleCase* case_named(const Ensemble& ensemble, const std::string& name) {
@@ -152,6 +177,7 @@ void write_ensemble(const Ensemble& ensemble, const std::string& folder) {
     json["cases"][one.name] = case_json(one);
     write_tables(one, folder);
   }
+  write_numbers(ensemble, folder);
   // Whole or not at all, also when this is interrupted.
   const fs::path file = fs::path(folder) / "ensemble.json", unfinished = file.string() + ".part";
   write_json(unfinished.string(), json);

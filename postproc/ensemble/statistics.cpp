@@ -114,4 +114,16 @@ EnsembleMean bootstrap_over_runs(std::size_t runs, const FunctionOfRuns& quantit
   return result;
 }
 
+EnsembleMean mean_over_range(const EnsembleCurve& curve, double from, double to) {
+  ValuesOfRuns means;
+  for (const auto& run : curve.of_runs) {
+    ValuesOfRuns bins;
+    for (std::size_t k = 0; k < curve.x.size(); ++k)
+      if (curve.x[k] >= from && curve.x[k] <= to) bins.emplace_back(run[k]);
+    const auto mean = mean_over_runs(bins);
+    means.push_back(mean.n > 0 ? std::optional<double>(mean.mean) : std::nullopt);
+  }
+  return mean_over_runs(means);
+}
+
 }  // namespace rodpack

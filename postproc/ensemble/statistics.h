@@ -36,6 +36,12 @@ using FunctionOfRuns = std::function<std::optional<double>(const std::vector<std
 /// for a single run, or when the quantity exists in fewer than 90 % of the resamples.
 EnsembleMean bootstrap_over_runs(std::size_t runs, const FunctionOfRuns& quantity);
 
+/// Returns the mean of a curve over the bins with from <= x <= to: each run's own mean over those
+/// that it has, then mean_over_runs(), so that noise common to the bins of a run is not taken for
+/// several. No run has a value when none has a bin there, or the curve was not kept for the runs
+/// (EnsembleCurve::of_runs).
+EnsembleMean mean_over_range(const EnsembleCurve& curve, double from, double to);
+
 constexpr int bootstrap_resamples = 1000;
 
 }  // namespace rodpack

@@ -141,6 +141,10 @@ TEST(CaseMean, ProfileCountsDepthFromTheHighestSurface) {
                                               with_table("profile", profile(40, 8))}));
   const auto& pressure = mean.curves.at("profile.pressure_N_m");
   EXPECT_EQ(pressure.x, (std::vector<double>{0, 5, 10, 15, 20, 25, 30, 35, 40}));
+  ASSERT_EQ(pressure.of_runs.size(), 2U);
+  EXPECT_TRUE(std::isnan(pressure.of_runs[0][1]));
+  EXPECT_NEAR(pressure.of_runs[0][8], 60, 1e-9);
+  EXPECT_NEAR(pressure.of_runs[1][8], 80, 1e-9);
   EXPECT_EQ(pressure.y[1].n, 1);
   EXPECT_NEAR(pressure.y[1].mean, 10, 1e-9);
   EXPECT_EQ(pressure.y[2].n, 2);

@@ -28,9 +28,11 @@ Ensemble some_ensemble() {
   one.seeds = {1, 2};
   one.numbers["solid_fraction"] = {1.0 / 3, 0.1 / 3, 2};
   one.numbers["single"] = {0.1 + 0.2, std::nullopt, 1};
-  one.curves["rdf.g"] = {
-      "r_over_dp", {0.05, 0.15, 1.0 / 7}, {{1e-300, 0.0, 2}, {M_PI, {}, 1}, {none, {}, 0}}};
-  one.curves["profile.pressure_N_m"] = {"h_over_dp", {0}, {{1, 2.0, 3}}};
+  one.curves["rdf.g"] = {"r_over_dp",
+                         {0.05, 0.15, 1.0 / 7},
+                         {{1e-300, 0.0, 2}, {M_PI, {}, 1}, {none, {}, 0}},
+                         {{0.1 / 3, none, 1}, {M_PI, 2, 3e-5}}};
+  one.curves["profile.pressure_N_m"] = {"h_over_dp", {0}, {{1, 2.0, 3}}, {}};
   EnsembleCase other;
   other.name = "another";
   other.runs = {"x"};
@@ -65,6 +67,10 @@ TEST(EnsembleFile, RoundTripIsExact) {
       const auto& other = b.curves.at(name);
       EXPECT_EQ(curve.abscissa, other.abscissa);
       EXPECT_EQ(curve.x, other.x);
+      ASSERT_EQ(curve.of_runs.size(), other.of_runs.size());
+      for (std::size_t run = 0; run < curve.of_runs.size(); ++run)
+        EXPECT_THAT(other.of_runs[run],
+                    testing::Pointwise(testing::NanSensitiveDoubleEq(), curve.of_runs[run]));
       ASSERT_EQ(curve.y.size(), other.y.size());
       for (std::size_t i = 0; i < curve.y.size(); ++i) expect_same(curve.y[i], other.y[i]);
     }
@@ -82,6 +88,11 @@ TEST(EnsembleFile, NumbersStandWhereUsersLookForThem) {
   EXPECT_TRUE(one.at("single").at("sem").is_null());
   EXPECT_EQ(one.at("curves").at("rdf").at("g").at("mean")[1], M_PI);
   EXPECT_EQ(one.at("curves").at("profile").at("pressure_N_m").at("abscissa"), "h_over_dp");
+  const auto numbers = read_table((folder / "numbers.csv").string(), "case,number,mean,sem,n");
+  EXPECT_EQ(numbers.words("number"), (std::vector<std::string>{"single", "solid_fraction"}));
+  EXPECT_EQ(numbers.words("case")[1], "smooth-AR5");
+  EXPECT_NEAR(numbers.column("mean")[1], 1.0 / 3, 1e-10);
+  EXPECT_EQ(numbers.words("sem")[0], "nan");
   const auto table = read_table((folder / "smooth-AR5_rdf.csv").string(), "r_over_dp,g,g_sem,g_n");
   EXPECT_EQ(table.column("g_n"), (std::vector<double>{2, 1, 0}));
 }

@@ -105,4 +105,18 @@ TEST(Bootstrap, WhatHardlyExistsHasNoError) {
   EXPECT_EQ(bootstrap_over_runs(0, mean_of({})).n, 0);
 }
 
+// Bins at 1 and 2: the runs' own means are 3, 5 and, with a single bin, 10: mean 6, squared
+// deviations 9 + 1 + 16 = 26, over 2 and 3. Were the bins independent, the error would be smaller.
+TEST(MeanOverRange, TakesARunForOneValueHoweverManyBinsItHas) {
+  const double none = std::nan("");
+  EnsembleCurve curve{"x", {0, 1, 2, 3}, {}, {{9, 2, 4, 9}, {9, 4, 6, 9}, {9, none, 10, 9}}};
+  const auto mean = mean_over_range(curve, 1, 2);
+  EXPECT_EQ(mean.mean, 6);
+  EXPECT_NEAR(mean.sem.value(), std::sqrt(26.0 / 6), 1e-14);
+  EXPECT_EQ(mean.n, 3);
+  EXPECT_EQ(mean_over_range(curve, 1, 1).n, 2) << "the third run has no value at 1";
+  EXPECT_EQ(mean_over_range(curve, 5, 6).n, 0);
+  EXPECT_EQ(mean_over_range({"x", {0, 1}, {{1, {}, 1}, {2, {}, 1}}, {}}, 0, 1).n, 0);
+}
+
 }  // namespace
