@@ -29,8 +29,10 @@ Vector vector_at(const Frame& frame, const std::array<const char*, 3>& columns, 
 Grid field_grid(const Packing& packing, const FieldOptions& options) {
   const double scale = averaging_scale(packing, options);
   const auto& walls = packing.walls;
+  // Above the surface there is nothing where the kernel counts what is below it alone.
+  const double above = options.normalisation == Normalisation::walls_and_surface ? 0 : scale;
   const auto window = options.window.value_or(
-      std::array<double, 4>{walls.left, walls.right, walls.floor, packing.surface + scale});
+      std::array<double, 4>{walls.left, walls.right, walls.floor, packing.surface + above});
   if (window[0] > walls.right || window[1] < walls.left || window[3] < walls.floor)
     throw DataError("window: x " + number_text(window[0]) + " ... " + number_text(window[1]) +
                     " m, y " + number_text(window[2]) + " ... " + number_text(window[3]) +

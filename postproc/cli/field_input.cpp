@@ -89,7 +89,9 @@ void add_contact_options(CLI::App& command, FieldInput& options) {
 void add_window(CLI::App& command, FieldInput& options) {
   command
       .add_option("--window", options.window,
-                  "corners of the grid, m [default: between the walls, to w above the surface]")
+                  "corners of the grid, m [default: between the walls, to w above the surface, or "
+                  "to the surface where it "
+                  "bounds what --normalise counts]")
       ->expected(4)
       ->type_name("XLO XHI YLO YHI");
 }

@@ -144,6 +144,7 @@ TEST(Fields, NormalisedByTheKernelsShareDensitiesAreEvenUpToTheEdges) {
   options.scale = 2 * made.a;
   options.spacing = made.a;
   options.tolerance = 1e-9;
+  options.window = {{0, made.n * made.a, 0, (made.n + 2) * made.a}};
   const auto fields_with = [&](Normalisation normalisation) {
     options.normalisation = normalisation;
     FieldSample sample(options);
