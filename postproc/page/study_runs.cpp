@@ -256,9 +256,11 @@ std::string cost_html(const Study& study) {
   }
   table.rows.push_back({"All", std::to_string(told), "", "", number_html(total, 3, 1.0 / 3600)});
   std::string html;
-  if (told < study.runs.size())
-    html = "<p class=\"missing\">" + std::to_string(study.runs.size() - told) +
-           " runs have no log.liggghts that tells their time.</p>\n";
+  if (const auto silent = study.runs.size() - told; silent > 0)
+    html = "<p class=\"missing\">" + std::to_string(silent) +
+           (silent == 1 ? " run has no log.liggghts that tells its time"
+                        : " runs have no log.liggghts that tells their time") +
+           ".</p>\n";
   return html + table_html(table) + cost_of_runs(study);
 }
 
