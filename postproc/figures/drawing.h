@@ -12,7 +12,7 @@
 
 namespace rodpack {
 
-// Pictures drawn as SVG by ourselves; for the sources of this room only.
+// Pictures drawn as SVG by ourselves; for the rooms that draw packings: this one and page.
 
 /// What the shades of a picture's elements stand for.
 struct ColourScale {

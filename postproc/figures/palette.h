@@ -10,7 +10,7 @@
 
 namespace rodpack {
 
-// Colours of pictures; for the sources of this room only.
+// Colours of pictures; for the rooms that draw packings: this one and page.
 
 using Rgb = std::array<double, 3>;  // 0 to 255
 

@@ -27,7 +27,7 @@ std::string data_element(const std::string& id, const nlohmann::ordered_json& da
 std::string number_html(double value, int significant_digits = 4, double factor = 1);
 
 /// Returns a mean and its standard error, the latter with two significant digits, both with the
-/// same number of decimals; the mean alone without an error.
+/// same number of decimals; without an error the mean alone with four digits, zeros included.
 std::string measured_html(double mean, std::optional<double> standard_error, double factor = 1);
 
 /// Returns `text` with each {{name}} in it replaced by what `parts` holds under that name; what is

@@ -5,6 +5,7 @@
 
 #include "page/run_page.h"
 #include "page/study_page.h"
+#include "page/study_runs.h"
 #include "reading/data_error.h"
 
 namespace rodpack {
@@ -13,9 +14,7 @@ std::string write_report_page(const std::string& folder) {
   const std::filesystem::path root(folder);
   if (!std::filesystem::is_directory(root)) throw DataError(folder + ": no such folder");
   if (std::filesystem::exists(root / "parameters.json")) return write_run_page(folder);
-  if (std::filesystem::exists(root / "cases.json") ||
-      std::filesystem::exists(root / "ensemble" / "ensemble.json"))
-    return write_study_page(folder);
+  if (is_study(folder)) return write_study_page(folder);
   throw DataError(folder +
                   ": expected the folder of a study (cases.json) or of a run (parameters.json)");
 }

@@ -6,7 +6,7 @@
 
 namespace rodpack {
 
-/// Writes the page of a study's folder (with ensemble/ensemble.json) to `folder`/report.html, or of
+/// Writes the page of a study's folder (see write_study_page()) to `folder`/report.html, or of
 /// a run folder (with parameters.json) to `folder`/analysis/report.html. Returns the file's name.
 /// @throws DataError when the folder is neither, has not been analysed, or a file cannot be read or
 ///   written.

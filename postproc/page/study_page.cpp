@@ -7,7 +7,6 @@
 #include "page/html.h"
 #include "page/study_results.h"
 #include "page/study_runs.h"
-#include "reading/data_error.h"
 #include "reading/text_file.h"
 
 namespace rodpack {
@@ -45,10 +44,6 @@ std::vector<ShownPacking> packings_of(const Study& study) {
 }  // namespace
 
 std::string write_study_page(const std::string& folder) {
-  const fs::path root(folder);
-  if (!fs::exists(root / "ensemble" / "ensemble.json"))
-    throw DataError((root / "ensemble" / "ensemble.json").string() +
-                    ": no such file; \"rodpack ensemble " + folder + "\" makes it");
   const Study study = read_study(folder);
   const auto notes = notes_of(study);
   Page page;
@@ -66,7 +61,7 @@ std::string write_study_page(const std::string& folder) {
       {"cost", "Cost", cost_html(study)},
       {"notes", "What was left out, and why",
        notes.empty() ? "<p>Nothing.</p>\n" : notes_html(notes)}};
-  const auto file = (root / "report.html").string();
+  const auto file = (fs::path(folder) / "report.html").string();
   write_text(file, page_html(page));
   return file;
 }

@@ -6,7 +6,7 @@
 
 namespace rodpack {
 
-/// Writes `folder`/report.html, the page of a study whose results stand in `folder`/ensemble: what
+/// Writes `folder`/report.html, the page of a study, or of what "rodpack ensemble -o" wrote: what
 /// was run, solid fractions beside published values, claims with their verdicts, figures, numbers,
 /// packings to be asked (of each case the run of the lowest seed), cost, notes. Returns the file's
 /// name.

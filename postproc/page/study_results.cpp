@@ -18,10 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-fs::path results(const Study& study) { return fs::path(study.folder) / "ensemble"; }
+fs::path results(const Study& study) { return study.results; }
 
 std::string missing(const Study& study, const std::string& file) {
-  return "<p class=\"missing\">Missing: ensemble/" + file + ". <code>rodpack ensemble " +
+  return "<p class=\"missing\">Missing: " + file + ". <code>rodpack ensemble " +
          escaped(study.folder) + "</code> writes it.</p>\n";
 }
 

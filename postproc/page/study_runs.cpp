@@ -10,6 +10,7 @@
 #include "page/json_input.h"
 #include "page/tables.h"
 #include "page/words.h"
+#include "reading/data_error.h"
 
 namespace rodpack {
 namespace {
@@ -190,11 +191,26 @@ std::string cost_of_runs(const Study& study) {
 
 }  // namespace
 
-Study read_study(const std::string& folder) {
+bool is_study(const std::string& folder) {
   const fs::path root(folder);
+  return fs::exists(root / "cases.json") || fs::exists(root / "ensemble.json") ||
+         fs::exists(root / "ensemble" / "ensemble.json");
+}
+
+Study read_study(const std::string& folder) {
+  const bool is_results = fs::exists(fs::path(folder) / "ensemble.json");
+  const fs::path results = is_results ? fs::path(folder) : fs::path(folder) / "ensemble";
+  // The runs' folders are told from the one that holds the results' folder.
+  const fs::path root =
+      is_results ? (fs::absolute(results) / "").lexically_normal().parent_path().parent_path()
+                 : fs::path(folder);
+  const auto file = results / "ensemble.json";
+  if (!fs::exists(file))
+    throw DataError(file.string() + ": no such file; \"rodpack ensemble " + folder + "\" makes it");
   Study study;
   study.folder = folder;
-  study.ensemble = read_ensemble((root / "ensemble" / "ensemble.json").string());
+  study.results = results.string();
+  study.ensemble = read_ensemble(file.string());
   study.table = json_if_there(root / "cases.json");
   for (const auto& one : study.ensemble.cases)
     for (std::size_t k = 0; k < one.runs.size(); ++k)
@@ -240,9 +256,11 @@ std::string cost_html(const Study& study) {
   }
   table.rows.push_back({"All", std::to_string(told), "", "", number_html(total, 3, 1.0 / 3600)});
   std::string html;
-  if (told < study.runs.size())
-    html = "<p class=\"missing\">" + std::to_string(study.runs.size() - told) +
-           " runs have no log.liggghts that tells their time.</p>\n";
+  if (const auto silent = study.runs.size() - told; silent > 0)
+    html = "<p class=\"missing\">" + std::to_string(silent) +
+           (silent == 1 ? " run has no log.liggghts that tells its time"
+                        : " runs have no log.liggghts that tells their time") +
+           ".</p>\n";
   return html + table_html(table) + cost_of_runs(study);
 }
 

@@ -24,13 +24,18 @@ struct StudyRun {
 
 /// A study as its page needs it.
 struct Study {
-  std::string folder;
+  std::string folder;            // as the user named it
+  std::string results;           // folder of ensemble.json and the figures
   nlohmann::ordered_json table;  // cases.json; empty where there is none
   Ensemble ensemble;
   std::vector<StudyRun> runs;
 };
 
-/// Reads `folder`/ensemble/ensemble.json, cases.json and what the runs' folders tell.
+/// Whether `folder` is that of a study, or one that "rodpack ensemble -o" wrote.
+bool is_study(const std::string& folder);
+
+/// Reads `folder`/ensemble/ensemble.json, or `folder`/ensemble.json where that is its place,
+/// cases.json and what the runs' folders tell.
 /// @throws DataError when ensemble.json is missing or one of the files is malformed.
 Study read_study(const std::string& folder);
 

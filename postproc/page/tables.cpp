@@ -76,12 +76,13 @@ std::string values_table(const Json& values, const std::string& caption) {
     const std::string label = "<span title=\"" + escaped(key) + "\">" + words.label + "</span>";
     if (value.is_number()) {
       const double number = value.get<double>();
-      const auto unit = readable_unit(number, words.unit);
+      const bool count = value.is_number_integer();
+      const auto unit = count ? ScaledUnit{1, words.unit} : readable_unit(number, words.unit);
+      const auto error = standard_error(values, key);
       table.rows.push_back({label,
-                            value.is_number_integer()
-                                ? number_html(number, 12)
-                                : measured_html(number, standard_error(values, key), unit.factor),
-                            value.is_number_integer() ? words.unit : unit.name});
+                            error ? measured_html(number, error, unit.factor)
+                                  : number_html(number, count ? 12 : 4, unit.factor),
+                            unit.name});
     } else if (value.is_null()) {
       table.rows.push_back({label, "<span class=\"missing\">not measured</span>", ""});
     } else {

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Usage: report_browser.py RODPACK EXAMPLE FOLDER
 
-Makes the report of a made-up run in FOLDER, opens it in headless Chromium from its file, and checks
-that it is shown without errors, that the packing is zoomed and moved, and that it answers what the
-dumps hold."""
+Makes the reports of a made-up run and study in FOLDER, opens them in headless Chromium from their
+files, and checks that they are shown without errors, that packings are zoomed and moved, and that
+they answer what the dumps hold."""
 
 import math
 import pathlib
@@ -33,8 +33,13 @@ def last_dump(run, kind):
     return max((run / "dumps").glob(kind + ".*.dump"), key=lambda file: int(file.name.split(".")[1]))
 
 
+def silent(browser):
+    messages = browser.console()
+    check(messages == [], f"in the console: {messages}")
+
+
 def shows_without_errors(browser):
-    check(browser.console() == [], "errors in the console")
+    silent(browser)
     pictures = browser.run("return [...document.images].map(i => [i.alt, i.complete, i.naturalWidth])")
     check(len(pictures) > 10, f"expected the figures of the analysis, found {len(pictures)}")
     for alt, complete, width in pictures:
@@ -178,6 +183,25 @@ def fits_a_phone(browser, page):
     browser.command("Emulation.setTouchEmulationEnabled", enabled=False)
 
 
+def shows_every_case(browser, folder):
+    """The study's page: the packing of the other case, whose particles are curved."""
+    browser.open(folder / "report.html", 1280, 900)
+    cases = browser.run("return [...document.querySelector('.viewer select').options].map(o => o.text)")
+    check(cases == ["smooth-AR5, seed 1", "curved-AR5-theta60, seed 1"], f"packings to choose: {cases}")
+    browser.run("""const select = document.querySelector('.viewer select');
+        select.selectedIndex = 1; select.dispatchEvent(new Event('change'));""")
+    check(dark_pixels(browser) > 0.3, "the second packing is not drawn")
+    bodies = rows_of(last_dump(folder / "runs" / "curved-AR5-theta60" / "seed-1", "bodies"))
+    upside_down = next(k for k, body in enumerate(bodies) if math.degrees(body["angle"]) > 185)
+    browser.click(*place_on_screen(browser, upside_down))
+    shown = float(details(browser)[1]["angle γ"].rstrip("°"))
+    gamma = math.degrees(bodies[upside_down]["angle"]) % 360
+    check(abs(shown - gamma) < 0.056, f"curved: expected the angle {gamma}°, found {shown}°")
+    browser.open(folder / "report.html", 390, 844)
+    width = browser.run("return document.documentElement.scrollWidth")
+    check(width <= 390, f"the study's page is {width} pixels wide in a window of 390")
+
+
 def prints(browser, folder):
     pdf = browser.print_pdf(folder / "report.pdf")
     check(pdf.startswith(b"%PDF") and len(pdf) > 50000, "the page cannot be printed")
@@ -188,9 +212,10 @@ def main():
         sys.exit("usage: report_browser.py RODPACK EXAMPLE FOLDER")
     rodpack, example, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
     shutil.rmtree(folder, ignore_errors=True)
-    run = folder / "run"
-    subprocess.run([example, run], check=True)
+    run = folder / "runs" / "smooth-AR5" / "seed-1"
+    subprocess.run([example, folder], check=True)
     subprocess.run([rodpack, "analyse", run], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([rodpack, "report", folder], check=True, stdout=subprocess.DEVNULL)
     page = run / "analysis" / "report.html"
     with Browser() as browser:
         browser.open(page, 1280, 900)
@@ -199,8 +224,9 @@ def main():
         answers_what_the_dumps_hold(browser, run)
         fits_a_phone(browser, page)
         prints(browser, folder)
-        check(browser.console() == [], "errors in the console")
-    print("the report opens and answers")
+        shows_every_case(browser, folder)
+        silent(browser)
+    print("the reports open and answer")
 
 
 main()

@@ -122,7 +122,7 @@ TEST(Html, AMeanHasTheDecimalsOfItsError) {
   EXPECT_EQ(shown(120.4, 34), "120\u00a0±\u00a034");
   EXPECT_EQ(shown(3.214e-7, 1.5e-9), "(3.214\u00a0±\u00a00.015)\u00a0×\u00a010\u22127");
   EXPECT_EQ(shown(0.0076243, 0.00012, 1e3), "7.62\u00a0±\u00a00.12");
-  EXPECT_THAT(rodpack::measured_html(0.5, std::nullopt), HasSubstr(">0.5<"));
+  EXPECT_THAT(rodpack::measured_html(0.5, std::nullopt), HasSubstr(">0.5000<"));
 }
 
 TEST(Words, AKeyTellsItsUnit) {
