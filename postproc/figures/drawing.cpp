@@ -51,6 +51,8 @@ void draw_colour_bar(Drawing& drawing, const ColourScale& scale, double x, doubl
                 "transform=\"rotate(-90 " + Drawing::at(axis) + " " + Drawing::at(middle) + ")\"");
 }
 
+}  // namespace
+
 void rasterise(const std::string& svg, const std::string& png) {
   std::remove(png.c_str());
   const auto quoted = [](const std::string& name) {
@@ -64,8 +66,6 @@ void rasterise(const std::string& svg, const std::string& png) {
     throw DataError("rsvg-convert was not found: install librsvg2-bin");
   if (status != 0) throw DataError(png + ": rsvg-convert failed to draw it");
 }
-
-}  // namespace
 
 std::string ColourScale::shade(std::size_t i) const {
   if (values.empty()) return "#8cbbd9";
@@ -185,11 +185,25 @@ void PackingPicture::draw_scale_bar(double diameter) {
                  text);
 }
 
+void PackingPicture::draw_legend(const std::vector<std::pair<std::string, std::string>>& legend) {
+  const double level = bottom_ + 1.2 * font_;
+  double at = right_;  // entries from the right edge to the left
+  for (auto entry = legend.rbegin(); entry != legend.rend(); ++entry) {
+    drawing_.label(at, level + 0.36 * font_, font_, "end", entry->second);
+    at -= 0.57 * font_ * static_cast<double>(entry->second.size()) + font_;
+    drawing_.rectangle(at, level - 0.4 * font_, 0.8 * font_, 0.8 * font_,
+                       "fill=\"" + entry->first + "\"");
+    at -= 1.2 * font_;
+  }
+}
+
 void PackingPicture::finish(const Walls& walls, double diameter, const ColourScale& scale,
-                            const std::string& stem) {
+                            const std::string& stem,
+                            const std::vector<std::pair<std::string, std::string>>& legend) {
   drawing_.raw("</g>");
   draw_walls(walls);
   draw_scale_bar(diameter);
+  draw_legend(legend);
   if (colour_bar_) {
     const double length = std::min(draw_height_ - 1.5 * font_, 14 * font_);
     draw_colour_bar(drawing_, scale, right_ + 1.2 * font_, margin_ + 1.2 * font_, font_, length,

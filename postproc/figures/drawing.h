@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "figures/palette.h"
@@ -35,6 +36,9 @@ ColourScale force_scale(const std::vector<double>& forces, std::optional<double>
 
 /// Returns what 99 % of `values` (at least one) do not exceed.
 double quantile_99(std::vector<double> values);
+
+/// Draws a picture's SVG file as PNG. @throws DataError when rsvg-convert is missing or fails.
+void rasterise(const std::string& svg, const std::string& png);
 
 /// Writes SVG elements; coordinates, widths and sizes are in pixels, y points down.
 class Drawing {
@@ -75,12 +79,15 @@ class PackingPicture {
   /// Writes `stem`.svg and `stem`.png; the scale bar gives its length also in the particle
   /// `diameter`, m, unless that is 0. @throws DataError when a file cannot be written or
   /// rsvg-convert is missing or fails.
+  /// `legend`: colours and what they stand for, beside the scale bar.
   void finish(const Walls& walls, double diameter, const ColourScale& scale,
-              const std::string& stem);
+              const std::string& stem,
+              const std::vector<std::pair<std::string, std::string>>& legend = {});
 
  private:
   void draw_walls(const Walls& walls);
   void draw_scale_bar(double diameter);
+  void draw_legend(const std::vector<std::pair<std::string, std::string>>& legend);
 
   std::array<double, 4> window_;
   Drawing drawing_;

@@ -57,8 +57,8 @@ std::vector<CaseMap> straight_maps(const Ensemble& ensemble, const std::string& 
 
 // The maps side by side, all at one scale.
 struct MapLayout {
-  double left = 5, right = 8, bottom = 4, top = 3, gap = 2.2;  // letters
-  double per_diameter = 1;                                     // letters per d_p
+  double left = 6, right = 10, bottom = 4.6, top = 3.8, gap = 2.2;  // letters
+  double per_diameter = 1;                                          // letters per d_p
   double width = 0, height = 0;
 
   explicit MapLayout(const std::vector<CaseMap>& maps) {
@@ -87,7 +87,7 @@ std::string map_plot(const CaseMap& map, std::size_t place, double x0, const Map
          "\nset tmargin at screen " + layout.up(y1) + "\nset xrange [0:" + number_text(map.width) +
          "]\nset yrange [0:" + number_text(map.height) + "]\nset xtics 0," + number_text(tic) +
          "\nset format y '" + (place == 0 ? "%g" : "") + "'\nset label 1 \"" + map.title +
-         "\" at screen " + layout.across(0.5 * (x0 + x1)) + "," + layout.up(y1 + 1.9) +
+         "\" at screen " + layout.across(0.5 * (x0 + x1)) + "," + layout.up(y1 + 2.6) +
          " center\nplot $map" + std::to_string(place) +
          " using 1:2:3 with image\nunset colorbox\n"
          "unset label\n";
@@ -121,9 +121,11 @@ StudyFigure draw_solid_fraction_maps(const Ensemble& ensemble, const std::string
   const double bar = std::min(tallest * layout.per_diameter, 20.0);
   draw_figure(
       out + "/" + figure.name, layout.width / layout.height,
-      blocks + palette_command() +
-          "set multiplot\nset tics out nomirror\nset cbrange [0.5:" + number_text(largest, 3) +
-          "]\nset cblabel 'solid fraction {/:Italic φ}'\nset colorbox user origin screen " +
+      blocks + palette_command() + "set multiplot\nset tics out nomirror\nset cbrange [0.5:" +
+          number_text(0.05 * std::ceil(20 * largest), 3) +
+          "]\nset label 4 'solid fraction {/:Italic φ}' at screen " +
+          layout.across(layout.width - 1.2) + "," + layout.up(layout.bottom + 0.5 * bar) +
+          " center rotate by 90\nset colorbox user origin screen " +
           layout.across(layout.width - layout.right + 1.2) + ", screen " +
           layout.up(layout.bottom) + " size screen " + layout.across(1.2) + ", screen " +
           layout.up(bar) + "\nset label 2 '{/:Italic x} / {/:Italic d}_p' at screen " +

@@ -10,6 +10,7 @@ std::vector<StudyFigure> draw_study_figures(const Ensemble& ensemble, const std:
   const auto values = read_published(find_published(published, study), ensemble);
   write_solid_fraction_table(ensemble, values, out + "/table2");
   std::vector<StudyFigure> figures;
+  figures.push_back(draw_packings(ensemble, study, out));
   figures.push_back(draw_solid_fraction_maps(ensemble, out));
   figures.push_back(draw_slice(ensemble, out));
   figures.push_back(draw_solid_fraction_over_aspect_ratio(ensemble, values, out));
@@ -17,6 +18,7 @@ std::vector<StudyFigure> draw_study_figures(const Ensemble& ensemble, const std:
   figures.push_back(draw_rdf(ensemble, out));
   figures.push_back(draw_pressure(ensemble, out));
   figures.push_back(draw_solid_fraction_over_theta(ensemble, out));
+  figures.push_back(draw_packing_with_voids(ensemble, study, out));
   figures.push_back(draw_curved_slice(ensemble, out));
   figures.push_back(draw_curved_orientation(ensemble, out));
   figures.push_back(draw_curved_rdf(ensemble, out));

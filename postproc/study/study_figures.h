@@ -60,9 +60,12 @@ StudyFigure draw_solid_fraction_maps(const Ensemble& ensemble, const std::string
 StudyFigure draw_slice(const Ensemble& ensemble, const std::string& out);
 /// The same, curved particles.
 StudyFigure draw_curved_slice(const Ensemble& ensemble, const std::string& out);
-/// Fig. 1: packings coloured by contact force; Fig. 6b: a packing with its voids.
-std::vector<StudyFigure> draw_packings(const Ensemble& ensemble, const std::string& study,
-                                       const std::string& out);
+/// Fig. 1: packings coloured by contact force, the first run of each case.
+StudyFigure draw_packings(const Ensemble& ensemble, const std::string& study,
+                          const std::string& out);
+/// Fig. 6b: the longest and most curved case, its first run, with the voids marked.
+StudyFigure draw_packing_with_voids(const Ensemble& ensemble, const std::string& study,
+                                    const std::string& out);
 
 }  // namespace rodpack
 
