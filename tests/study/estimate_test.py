@@ -17,7 +17,8 @@ import words
 from deck import DECK, Deck
 from folder import Study
 from progress import Watch, fraction
-from study import Plan, prepare
+from plan import Plan
+from prepare import prepare
 
 VALUES = Deck().evaluate({"aspect_ratio": "3", "particles": "3000"})
 
