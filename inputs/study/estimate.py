@@ -47,12 +47,12 @@ def work_until(time, values):
     cost = seconds_filling * (FILLING[0] + FILLING[1] * spheres)
     cost += seconds_resting * (RESTING[0] + RESTING[1] * spheres)
     cost *= 1e-9 / values["timestep"] * (1 + OBSERVED / values["n_observe"])
-    return START_S + cost * (SPHERES_ENGINE if values["engine"] == "spheres" else 1)
+    return cost * (SPHERES_ENGINE if values["engine"] == "spheres" else 1)
 
 
 def work(values):
     """Processor time, s, of a whole run, on the machine of the measurement."""
-    return work_until(values["t_rest"], values)
+    return START_S + work_until(values["t_rest"], values)
 
 
 

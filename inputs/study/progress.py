@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """One line on how far a study is and when it will be done, as long as its run.sh lives.
 
-  progress.py OUT SECONDS
+  progress.py OUT SECONDS PID               a line each so many seconds, as long as its parent PID lives
 
 Reads the run folders, whoever works on them: this machine or a cluster. The time left follows from the
 work done since it began to watch.
@@ -74,8 +74,8 @@ class Watch:
 
 
 def main():
-    watch, interval = Watch(Study(Path(sys.argv[1]))), float(sys.argv[2])
-    parent, terminal = os.getppid(), sys.stdout.isatty()
+    watch, interval, parent = Watch(Study(Path(sys.argv[1]))), float(sys.argv[2]), int(sys.argv[3])
+    terminal = sys.stdout.isatty()
     last = None
     while os.getppid() == parent:
         text, news = watch.line()

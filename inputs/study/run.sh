@@ -123,7 +123,7 @@ else
   set -- --cores "$cores" "$@"
 fi
 echo "log     $log"
-"$python" "$here/progress.py" "$out" "${PROGRESS_S:-10}" 8>&- &
+"$python" "$here/progress.py" "$out" "${PROGRESS_S:-10}" $$ 8>&- &
 watch=$!
 status=0
 "$python" -m snakemake "$target" --snakefile "$here/Snakefile" --directory "$out/.study" \

@@ -90,20 +90,23 @@ class Reader:
     def parameter(self, name, node):
         """The text of a deck parameter's value."""
         parameter = self.deck.parameters[name]
-        text = node.value if isinstance(node, yaml.ScalarNode) else text_of(node)
         try:
             if not isinstance(node, yaml.ScalarNode):
-                raise ValueError(text)
-            parameter.value(text)
+                raise ValueError
+            parameter.value(node.value)
         except ValueError:
-            self.fail(node, f"{name}: expected {parameter.expected()}, got '{text}'")
-        return text
+            self.fail(node, f"{name}: expected {parameter.expected()}, got {text_of(node)}")
+        return node.value
+
+    def text(self, name, node):
+        if not isinstance(node, yaml.ScalarNode):
+            self.fail(node, f"{name}: expected a text, got {text_of(node)}")
+        return node.value
 
     def integer(self, name, node):
-        text = node.value if isinstance(node, yaml.ScalarNode) else text_of(node)
-        if not re.fullmatch(r"[1-9]\d*", text):
-            self.fail(node, f"{name}: expected an integer, 1 or more, got '{text}'")
-        return int(text)
+        if not isinstance(node, yaml.ScalarNode) or not re.fullmatch(r"[1-9]\d*", node.value):
+            self.fail(node, f"{name}: expected an integer, 1 or more, got {text_of(node)}")
+        return int(node.value)
 
     def sequence(self, name, node):
         if not isinstance(node, yaml.SequenceNode) or not node.value:
@@ -128,10 +131,9 @@ class Reader:
             ranks = self.integer("ranks", pairs["ranks"][1])
         if "keep_restarts" in pairs:
             node = pairs["keep_restarts"][1]
-            keep = node.value
+            keep = self.text("keep_restarts", node)
             if keep not in RESTARTS:
-                got = text_of(node)
-                self.fail(node, f"keep_restarts: expected one of: {' '.join(RESTARTS)}, got {got}")
+                self.fail(node, f"keep_restarts: expected one of: {' '.join(RESTARTS)}, got '{keep}'")
         return seeds, ranks, keep
 
 
@@ -182,7 +184,7 @@ def _read_root(reader, root):
     _check_names(reader.file, cases)
     if not cases:
         reader.fail(root, "cases: none to run, expected one or more")
-    title = pairs["title"][1].value if "title" in pairs else "study"
+    title = reader.text("title", pairs["title"][1]) if "title" in pairs else "study"
     named = {name for case in cases for name in case.parameters}
     return Table(reader.file, title, cases, [name for name in columns if name in named])
 
@@ -204,7 +206,7 @@ def _read_cases(reader, key, key_node, node, defaults, inherited, columns):
             lists.append([{name: reader.parameter(name, item)} for item in items])
         else:
             fixed[name] = reader.parameter(name, value)
-    wanted = pairs["run"][1].value if "run" in pairs else "yes"
+    wanted = reader.text("run", pairs["run"][1]) if "run" in pairs else "yes"
     if wanted not in ("yes", "no"):
         reader.fail(pairs["run"][1], f"run: expected yes or no, got '{wanted}'")
     if wanted == "no":

@@ -159,6 +159,9 @@ class Refusals(StudyTest):
         self.refuses("cases: {}\n", 1, "none to run")
         self.refuses("cases:\n  a: {run: no}\n", 1, "none to run")
         self.refuses("cases:\n  a: {run: maybe}\n", 2, "yes or no")
+        self.refuses("cases:\n  a: {run: [no]}\n", 2, "'[no]'")
+        self.refuses("title: [x]\n" + GOOD, 1, "'[x]'")
+        self.refuses("keep_restarts: some\n" + GOOD, 1, "end all none", "'some'")
         self.refuses("cases:\n  a b: {aspect_ratio: 2}\n", 2, "'a b'")
         with self.assertRaisesRegex(TableError, "nowhere.yaml: No such file"):
             read_table("nowhere.yaml", DECK)
