@@ -46,6 +46,61 @@ void write_explanation(const PeakExplanation& explanation, const Rdf& rdf,
             << "written: " << stem << ".csv .png .svg\n";
 }
 
+void add_rdf_options(CLI::App& command, RdfCommand& options) {
+  command.add_option("--bin", options.rdf.bin_width, "width of a bin, in d_p")
+      ->check(CLI::Range(1e-3, 10.0))
+      ->capture_default_str()
+      ->type_name("DR");
+  command.add_option("--r-max", options.rdf.largest_distance, "largest distance, in d_p")
+      ->check(CLI::Range(1e-3, 1000.0))
+      ->capture_default_str()
+      ->type_name("R");
+  command
+      .add_option("--margin", options.rdf.margin,
+                  "distance of the centres from walls and surface, in d_p [default: 10 + AR, at "
+                  "most a third of the bed's smaller extent]")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("R");
+  auto* explain =
+      command
+          .add_option("--explain", options.explain,
+                      "distance in d_p: find the configurations of the pairs of the peak of G(r) "
+                      "next to it")
+          ->check(CLI::NonNegativeNumber)
+          ->type_name("R");
+  command
+      .add_option("--explain-width", options.explain_width,
+                  "explain all bins within so many d_p of that distance, peak or not [default: "
+                  "the peak's bins above half its prominence]")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("DR")
+      ->needs(explain);
+}
+
+void run_rdf(const RdfCommand& options) {
+  RdfSample sample(options.rdf);
+  std::string setting;
+  options.input.for_frames([&](const Frame& frame) {
+    const auto packing = read_packing(frame, options.input.packing);
+    sample.add(packing);
+    setting = describe(packing);
+  });
+  const auto rdf = sample.result();
+  // A wrong distance shows before anything is written.
+  std::optional<PeakExplanation> explanation;
+  if (options.explain) explanation = explain_peak(options, rdf);
+  write_rdf_table(rdf, options.stem + ".csv");
+  plot_rdf(rdf, options.stem);
+  std::cout << setting << '\n'
+            << rdf.centres << " centres further than " << number_text(rdf.margin, 4)
+            << " d_p from walls and surface"
+            << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "") << '\n'
+            << "last quarter of r: G = " << number_text(rdf.tail_g, 4) << " +- "
+            << number_text(rdf.tail_standard_error, 2) << '\n'
+            << "written: " << options.stem << ".csv .png .svg\n";
+  if (explanation) write_explanation(*explanation, rdf, options.stem + "_explained");
+}
+
 }  // namespace
 
 void add_rdf(CLI::App& app) {
@@ -67,59 +122,10 @@ void add_rdf(CLI::App& app) {
   add_files(*command, options->input, "bodies");
   add_all_frames(*command, options->input);
   add_packing_options(*command, options->input);
-  command->add_option("--bin", options->rdf.bin_width, "width of a bin, in d_p")
-      ->check(CLI::Range(1e-3, 10.0))
-      ->capture_default_str()
-      ->type_name("DR");
-  command->add_option("--r-max", options->rdf.largest_distance, "largest distance, in d_p")
-      ->check(CLI::Range(1e-3, 1000.0))
-      ->capture_default_str()
-      ->type_name("R");
-  command
-      ->add_option("--margin", options->rdf.margin,
-                   "distance of the centres from walls and surface, in d_p [default: 10 + AR, at "
-                   "most a third of the bed's smaller extent]")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("R");
-  auto* explain =
-      command
-          ->add_option("--explain", options->explain,
-                       "distance in d_p: find the configurations of the pairs of the peak of G(r) "
-                       "next to it")
-          ->check(CLI::NonNegativeNumber)
-          ->type_name("R");
-  command
-      ->add_option("--explain-width", options->explain_width,
-                   "explain all bins within so many d_p of that distance, peak or not [default: "
-                   "the peak's bins above half its prominence]")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("DR")
-      ->needs(explain);
+  add_rdf_options(*command, *options);
   add_output(*command, options->stem);
 
-  command->callback([options] {
-    RdfSample sample(options->rdf);
-    std::string setting;
-    options->input.for_frames([&](const Frame& frame) {
-      const auto packing = read_packing(frame, options->input.packing);
-      sample.add(packing);
-      setting = describe(packing);
-    });
-    const auto rdf = sample.result();
-    std::optional<PeakExplanation>
-        explanation;  // a wrong distance shows before anything is written
-    if (options->explain) explanation = explain_peak(*options, rdf);
-    write_rdf_table(rdf, options->stem + ".csv");
-    plot_rdf(rdf, options->stem);
-    std::cout << setting << '\n'
-              << rdf.centres << " centres further than " << number_text(rdf.margin, 4)
-              << " d_p from walls and surface"
-              << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "") << '\n'
-              << "last quarter of r: G = " << number_text(rdf.tail_g, 4) << " +- "
-              << number_text(rdf.tail_standard_error, 2) << '\n'
-              << "written: " << options->stem << ".csv .png .svg\n";
-    if (explanation) write_explanation(*explanation, rdf, options->stem + "_explained");
-  });
+  command->callback([options] { run_rdf(*options); });
 }
 
 }  // namespace rodpack::cli

@@ -91,7 +91,8 @@ Space space_of(ParticleKind kind, double aspect_ratio) {
 
 void PeakSample::check_shape(const Frame& bodies, const Packing& packing) {
   const auto& spheres = bodies.column("nspheres");
-  const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-6 * std::abs(a); };
+  // Where no parameters.json says it, AR comes from the drawn sizes and scatters a little.
+  const auto differs = [](double a, double b) { return std::abs(a - b) > 0.01 * std::abs(a); };
   for (std::size_t i = 0; i < packing.size(); ++i) {
     const int count = static_cast<int>(spheres[i]);
     const double curvature = packing.curvature[i];
