@@ -126,10 +126,16 @@ echo "log     $log"
 "$python" "$here/progress.py" "$out" "${PROGRESS_S:-10}" $$ 8>&- &
 watch=$!
 status=0
+interrupted=0
+trap 'interrupted=1' INT
 "$python" -m snakemake "$target" --snakefile "$here/Snakefile" --directory "$out/.study" \
   --config out="$out" partial="$partial" programs="$RODPACK_BIN" \
   --nolock --rerun-incomplete --keep-going --rerun-triggers mtime "$@" >> "$log" 2>&1 || status=$?
 kill "$watch" 2> /dev/null || true
 wait "$watch" 2> /dev/null || true
 if [ -t 1 ]; then echo; fi
+if [ "$interrupted" = 1 ]; then
+  echo "interrupted: the same command goes on from here"
+  exit 130
+fi
 "$python" "$here/study.py" summary "$out" "$status"
