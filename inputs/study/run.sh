@@ -88,6 +88,9 @@ case $out in
   '') out=$PWD/results/${name%.yaml} ;;
   *) out=$(absolute "$out") ;;
 esac
+case $out in
+  *[[:space:]]*) refuse "OUT=$out, expected a path without blanks: LIGGGHTS would take it for several words" ;;
+esac
 
 # A table that is wrong is refused before anything starts; what that takes is there after the set-up alone.
 if [ -z "${RODPACK_BIN:-}" ]; then docker/setup.sh study; fi
@@ -108,7 +111,9 @@ fi
 # The lock is free when run.sh and all that it has started here are gone, however they went.
 mkdir -p "$out/.study" "$out/logs"
 exec 8> "$out/.study/lock"
-if ! flock -n 8; then
+locked=0
+flock -n 8 || locked=$?
+if [ "$locked" = 1 ]; then
   echo "inputs/study/run.sh: another run.sh, or a run that it has left behind, is at work in $out" >&2
   exit 1
 fi
