@@ -102,7 +102,8 @@ export PYTHONDONTWRITEBYTECODE=1
 "$python" "$here/study.py" check "$table" "$out"
 
 if [ -z "${RODPACK_BIN:-}" ]; then docker/build.sh; fi
-export RODPACK_BIN="${RODPACK_BIN:-$PWD/build/bin}"
+RODPACK_BIN=$(absolute "${RODPACK_BIN:-$PWD/build/bin}")
+export RODPACK_BIN
 cores=${jobs:-$(nproc)}
 if [ "$dry" = 1 ]; then
   exec "$python" "$here/study.py" plan "$table" "$out" "$cores"

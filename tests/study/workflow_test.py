@@ -35,6 +35,8 @@ class Workflow(StudyTest):
             self.assertEqual(self.result("rods", seed)["particles"], 30)
             restarts = os.listdir(self.run_folder("rods", seed) / "restart")
             self.assertEqual(restarts, ["deposition.end.restart"])
+            # before the first particle and at rest
+            self.assertEqual(len(list((self.run_folder("rods", seed) / "dumps").glob("bodies.*"))), 2)
         self.assertEqual(set(ensemble(self.out)["cases"]), {"spheres", "rods"})
         # seeds differ, so repetitions do
         self.assertNotEqual(self.result("rods", 1)["largest_overlap_m"], self.result("rods", 2)["largest_overlap_m"])
