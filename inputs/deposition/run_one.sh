@@ -25,10 +25,16 @@ parent=$(dirname "$out")
 mkdir -p "$parent"
 # Kept open by LIGGGHTS, too: the lock is free when the last of them is gone, however it went.
 exec 9> "$parent/.lock.$(basename "$out")"
-if ! flock -n 9; then
-  echo "$out: another process is at it: waiting"
-  flock 9
-fi
+locked=0
+flock -n 9 || locked=$?
+case $locked in
+  0) ;;
+  1)
+    echo "$out: another process is at it: waiting"
+    flock 9
+    ;;
+  *) echo "$out: no locks on this file system: make sure that nobody else is at it" ;;
+esac
 
 if is_complete; then
   echo "$out is complete: not run again"

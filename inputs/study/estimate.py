@@ -12,10 +12,16 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-# Nanoseconds for a particle and step: a constant, and a part for each of its spheres. While the
-# bed fills, particles collide and are listed anew; at rest hardly.
-FILLING = (35.0, 8.7)
-RESTING = (16.0, 7.3)
+# Nanoseconds for a particle of so many spheres and a step. While the bed fills, particles collide and are
+# listed anew, each pair of them with its pairs of spheres; at rest hardly.
+def filling_ns(spheres):
+    return 35 + 8 * spheres + 0.6 * spheres**2
+
+
+def resting_ns(spheres):
+    return 16 + 7.3 * spheres
+
+
 # A step that LIGGGHTS makes itself, to observe the bed, costs as much as so many of the engine.
 OBSERVED = 200
 START_S = 0.15
@@ -29,7 +35,7 @@ PROBE_S = 1.6
 # Bytes: constant, for a particle, for a sphere. Restart files hold contacts, too.
 RESTART_BYTES = (2e5, 1100, 1350)
 DUMP_BYTES = (2e5, 260, 350)
-ANALYSIS_BYTES = (3e6, 3000, 0)
+ANALYSIS_BYTES = (2e6, 2000, 300)
 LINE_BYTES = 130  # of energies.csv
 
 
@@ -44,8 +50,7 @@ def work_until(time, values):
 
     seconds_filling = present(min(time, landed)) if last > 0 else particles * min(time, landed)
     seconds_resting = particles * max(0.0, time - landed)
-    cost = seconds_filling * (FILLING[0] + FILLING[1] * spheres)
-    cost += seconds_resting * (RESTING[0] + RESTING[1] * spheres)
+    cost = seconds_filling * filling_ns(spheres) + seconds_resting * resting_ns(spheres)
     cost *= 1e-9 / values["timestep"] * (1 + OBSERVED / values["n_observe"])
     return cost * (SPHERES_ENGINE if values["engine"] == "spheres" else 1)
 

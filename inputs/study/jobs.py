@@ -10,6 +10,8 @@ that the others go on, in a group job of a cluster as well. What stopped a run f
 a lost node) fails the step; the run goes on when Snakemake tries again.
 """
 
+import contextlib
+import fcntl
 import json
 import os
 import subprocess
@@ -30,13 +32,14 @@ def arguments_of(plan, seed):
     return words
 
 
-def call(command, log, **environment):
-    """Runs a program whose output is appended to a log. Returns exit status and that output's errors."""
+def call(command, log, keep_open=(), **environment):
+    """Runs a program whose output is appended to a log. Returns its exit status and what it printed."""
     log.parent.mkdir(parents=True, exist_ok=True)
     with open(log, "ab") as stream:
         begin = stream.tell()
         status = subprocess.run(
-            command, stdout=stream, stderr=subprocess.STDOUT, env={**os.environ, **environment}
+            command, stdout=stream, stderr=subprocess.STDOUT, env={**os.environ, **environment},
+            pass_fds=keep_open,
         ).returncode
     with open(log, encoding="utf-8", errors="replace") as stream:
         stream.seek(begin)
@@ -84,14 +87,18 @@ def prune(run, keep):
 
 def analyse(study, case, seed):
     run = study.run(case, seed)
-    # A group job that was killed is made again as a whole.
-    if read_json(run / "result.json") is not None and not is_analysed(run):
-        log = study.log(case, seed)
-        status, lines = call([PROGRAMS / "rodpack", "analyse", run], log)
-        if status < 0:
-            return 1
-        if status != 0 or not is_analysed(run):
-            fail(study, case, seed, f"analysis: {lines[-1] if lines else f'exit status {status}'}")
+    run.parent.mkdir(parents=True, exist_ok=True)
+    # The lock of run_one.sh: a cluster's job that outlived its study may be at it still.
+    with open(run.parent / f".lock.{run.name}", "w") as lock:
+        with contextlib.suppress(OSError):  # a file system without locks
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        if read_json(run / "result.json") is not None and not is_analysed(run):
+            command = [PROGRAMS / "rodpack", "analyse", run]
+            status, lines = call(command, study.log(case, seed), keep_open=(lock.fileno(),))
+            if status < 0:
+                return 1
+            if status != 0 or not is_analysed(run):
+                fail(study, case, seed, f"analysis: {lines[-1] if lines else f'exit status {status}'}")
     touch(study.flag("analysed", case, seed))
     return 0
 

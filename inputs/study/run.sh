@@ -88,6 +88,9 @@ case $out in
   '') out=$PWD/results/${name%.yaml} ;;
   *) out=$(absolute "$out") ;;
 esac
+case $out in
+  *[[:space:]]*) refuse "OUT=$out, expected a path without blanks: LIGGGHTS would take it for several words" ;;
+esac
 
 # A table that is wrong is refused before anything starts; what that takes is there after the set-up alone.
 if [ -z "${RODPACK_BIN:-}" ]; then docker/setup.sh study; fi
@@ -99,7 +102,8 @@ export PYTHONDONTWRITEBYTECODE=1
 "$python" "$here/study.py" check "$table" "$out"
 
 if [ -z "${RODPACK_BIN:-}" ]; then docker/build.sh; fi
-export RODPACK_BIN="${RODPACK_BIN:-$PWD/build/bin}"
+RODPACK_BIN=$(absolute "${RODPACK_BIN:-$PWD/build/bin}")
+export RODPACK_BIN
 cores=${jobs:-$(nproc)}
 if [ "$dry" = 1 ]; then
   exec "$python" "$here/study.py" plan "$table" "$out" "$cores"
@@ -108,7 +112,9 @@ fi
 # The lock is free when run.sh and all that it has started here are gone, however they went.
 mkdir -p "$out/.study" "$out/logs"
 exec 8> "$out/.study/lock"
-if ! flock -n 8; then
+locked=0
+flock -n 8 || locked=$?
+if [ "$locked" = 1 ]; then
   echo "inputs/study/run.sh: another run.sh, or a run that it has left behind, is at work in $out" >&2
   exit 1
 fi
@@ -126,10 +132,16 @@ echo "log     $log"
 "$python" "$here/progress.py" "$out" "${PROGRESS_S:-10}" $$ 8>&- &
 watch=$!
 status=0
+interrupted=0
+trap 'interrupted=1' INT
 "$python" -m snakemake "$target" --snakefile "$here/Snakefile" --directory "$out/.study" \
   --config out="$out" partial="$partial" programs="$RODPACK_BIN" \
   --nolock --rerun-incomplete --keep-going --rerun-triggers mtime "$@" >> "$log" 2>&1 || status=$?
 kill "$watch" 2> /dev/null || true
 wait "$watch" 2> /dev/null || true
 if [ -t 1 ]; then echo; fi
+if [ "$interrupted" = 1 ]; then
+  echo "interrupted: the same command goes on from here"
+  exit 130
+fi
 "$python" "$here/study.py" summary "$out" "$status"

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import estimate
 from deck import DECK, Deck
-from folder import Study, read_json, write_if_other
+from folder import Study, is_analysed, read_json, write_if_other
 from jobs import PROGRAMS
 from plan import Plan, Refusal, case_lines, check_folder, describe
 from prepare import prepare
@@ -43,16 +43,24 @@ def groups(out, count):
 def summary(out, status):
     """Prints what came out of it. Returns the exit status: 1 when anything is missing."""
     study = Study(Path(out))
+    table = read_json(study.cases_file) or {"cases": {}}
     failures = sorted((study.state / "failed").glob("*/seed-*"))
     for file in failures:
         case, seed = file.parent.name, file.name[len("seed-"):]
         print(f"FAILED {case} seed {seed}: {file.read_text().strip()}")
         print(f"       log: {study.log(case, int(seed))}")
+    missing = [
+        f"{name} seed {seed}"
+        for name, case in table["cases"].items()
+        for seed in case["seeds"]
+        if not is_analysed(study.run(name, seed)) and not study.failure(name, seed).exists()
+    ]
+    if status and missing:
+        print(f"not finished: {', '.join(missing)}")
     if status and not failures:
         print(f"FAILED: {last_error(study)}")
-    left_out = (read_json(study.cases_file) or {}).get("left_out")
-    if left_out:
-        print(f"ensemble and report are without {', '.join(left_out)}")
+    if "left_out" in table:
+        print(f"ensemble and report are without {', '.join(table['left_out'])}")
     for result in ("ensemble/ensemble.json", "report.html"):
         if status == 0 and (study.out / result).exists():
             print(study.out / result)

@@ -13,6 +13,8 @@ from naming import case_name
 
 SET_BY_THE_WORKFLOW = ("out", "resume", "preset", "seed")
 RESTARTS = ("end", "all", "none")
+# Where the table says nothing: longer than a run, so that its final frame alone is dumped.
+STUDY_DEFAULTS = {"output_interval": "100"}
 # Columns that are no parameters of the deck.
 OWN_COLUMNS = ("repetitions", "seeds", "ranks", "keep_restarts")
 CASE_KEYS = OWN_COLUMNS + ("run", "each")
@@ -173,7 +175,7 @@ def _read_root(reader, root):
     pairs = reader.mapping(root, "table", TABLE_KEYS)
     if "cases" not in pairs:
         reader.fail(root, "table: no 'cases:', expected the table of cases")
-    defaults = {}
+    defaults = dict(STUDY_DEFAULTS)
     if "defaults" in pairs:
         for name, (_, node) in reader.mapping(pairs["defaults"][1], "defaults", columns).items():
             defaults[name] = reader.parameter(name, node)

@@ -28,8 +28,7 @@ class Work(unittest.TestCase):
         # By the midpoint rule over the life of the run, from what the deck says of its times.
         steps, values = 200000, VALUES
         dt, total = values["t_rest"] / steps, 0.0
-        fill = estimate.FILLING[0] + estimate.FILLING[1] * 5
-        rest = estimate.RESTING[0] + estimate.RESTING[1] * 5
+        fill, rest = estimate.filling_ns(5), estimate.resting_ns(5)
         for k in range(steps):
             t = (k + 0.5) * dt
             present = 3000 * min(t / values["t_last"], 1)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A study by Slurm: a node drained, a job killed in the middle, and the numbers of a local one."""
 
+import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -26,6 +28,7 @@ class Cluster(StudyTest):
 
         self.out = self.folder / "cluster"
         self.know_speed()
+        before = set(SLURM.jobs())
         SLURM.node("drain")
         words = ("--no-report", "--profile", str(WORKFLOW / "slurm"), "--per-job", "2", "--latency-wait", "5")
         with open(self.folder / "printed.txt", "w") as printed:
@@ -33,12 +36,12 @@ class Cluster(StudyTest):
                 self.command(*words), env=self.environment(), stdout=printed, stderr=subprocess.STDOUT
             )
         # One job for both repetitions of a case; none starts on a node that is drained.
-        self.wait_for(study, lambda: len(SLURM.jobs()) == 2)
+        self.wait_for(study, lambda: len(set(SLURM.jobs()) - before) == 2)
         time.sleep(2)
-        self.assertEqual(set(SLURM.jobs().values()), {"PENDING"})
+        self.assertEqual([SLURM.jobs()[job] for job in set(SLURM.jobs()) - before], 2 * ["PENDING"])
         SLURM.node("resume")
         self.wait_for(study, lambda: self.in_the_middle("rods"))
-        (killed,) = [job for job in SLURM.jobs() if "rods" in self.script_of(job)]
+        (killed,) = [job for job in set(SLURM.jobs()) - before if "rods" in self.script_of(job)]
         subprocess.run(["scancel", str(killed)], check=True)
         # The node gives out while the others are at work, and comes back.
         SLURM.node("drain")
@@ -53,7 +56,24 @@ class Cluster(StudyTest):
         ))
         self.assertEqual(ensemble(self.out), expected)
         # Two jobs, one made again, and the ensemble's: none a run.
-        self.assertEqual(len(SLURM.jobs()), 4)
+        self.assertEqual(len(set(SLURM.jobs()) - before), 4)
+
+    def test_jobs_outlive_a_run_sh_that_is_killed_and_are_not_made_twice(self):
+        self.write_table(SMALL.replace("particles: 30", "particles: 150") + CASES)
+        self.know_speed()
+        words = ("--runs-only", "--profile", str(WORKFLOW / "slurm"), "--latency-wait", "5")
+        study = subprocess.Popen(
+            self.command(*words), env=self.environment(), stdout=subprocess.DEVNULL, start_new_session=True
+        )
+        self.wait_for(study, lambda: self.in_the_middle("rods"))
+        os.killpg(study.pid, signal.SIGKILL)
+        study.wait()
+        self.assertIn("RUNNING", SLURM.jobs().values())
+        self.run_study(*words)
+        self.assertEqual(self.started(), {"spheres-seed-1": 1, "rods-seed-1": 1})
+        for case in ("spheres", "rods"):
+            printed = (self.out / "logs" / f"{case}-seed-1.log").read_text()
+            self.assertEqual(printed.count(f"written: {self.run_folder(case, 1)}/analysis"), 1)
 
     def in_the_middle(self, case):
         runs = [self.run_folder(case, seed) for seed in (1, 2)]

@@ -23,7 +23,6 @@ defaults:
   particles_per_line: 10
   width_in_lengths: 12
   container_height: 0.4
-  output_interval: 1000
   restart_interval: 0.1
 """
 CASES = """\

@@ -4,6 +4,7 @@
 import json
 import os
 import shutil
+import signal
 import subprocess
 import time
 import unittest
@@ -34,12 +35,15 @@ class Workflow(StudyTest):
             self.assertEqual(self.result("rods", seed)["particles"], 30)
             restarts = os.listdir(self.run_folder("rods", seed) / "restart")
             self.assertEqual(restarts, ["deposition.end.restart"])
+            # before the first particle and at rest
+            self.assertEqual(len(list((self.run_folder("rods", seed) / "dumps").glob("bodies.*"))), 2)
         self.assertEqual(set(ensemble(self.out)["cases"]), {"spheres", "rods"})
         # seeds differ, so repetitions do
         self.assertNotEqual(self.result("rods", 1)["largest_overlap_m"], self.result("rods", 2)["largest_overlap_m"])
         once = {f"{case}-seed-{seed}": 1 for case in ("spheres", "rods") for seed in (1, 2)}
         self.assertEqual(self.started(), once)
         self.then_nothing_is_made_again(once)
+        self.then_the_report_is_made(once)
         self.then_a_copy_counts_as_done(once)
         self.then_another_table_makes_what_it_changed(once)
 
@@ -48,6 +52,12 @@ class Workflow(StudyTest):
         self.assertIn("4 done, 0 to go on, 0 to do", self.run_study(*UNTIL_ENSEMBLE))
         self.assertEqual(self.started(), once)
         self.assertEqual((self.out / "ensemble" / "ensemble.json").stat().st_mtime_ns, written)
+
+    def then_the_report_is_made(self, once):
+        printed = self.run_study()
+        self.assertIn(str(self.out / "report.html"), printed)
+        self.assertIn("spheres", (self.out / "report.html").read_text())
+        self.assertEqual(self.started(), once)
 
     def then_a_copy_counts_as_done(self, once):
         original, self.out = self.out, self.folder / "copy"
@@ -157,6 +167,24 @@ class Workflow(StudyTest):
             time.sleep(0.05)
         self.assertIn(f"is at work in {self.out}", self.run_study("--runs-only", expect=1))
         self.assertEqual(first.wait(), 0)
+
+    def test_ctrl_c_ends_it_and_the_same_command_goes_on(self):
+        self.write_table(SMALL.replace("particles: 30", "particles: 150") + CASES)
+        study = subprocess.Popen(
+            self.command("--runs-only"), env=self.environment(), stdout=subprocess.PIPE, text=True,
+            start_new_session=True,
+        )
+        while not list((self.run_folder("rods", 1) / "restart").glob("*")):
+            self.assertIsNone(study.poll())
+            time.sleep(0.05)
+        # As a terminal does: to all of them.
+        os.killpg(study.pid, signal.SIGINT)
+        self.assertIn("interrupted: the same command goes on", study.communicate()[0])
+        self.assertEqual(study.returncode, 130)
+        self.assertFalse((self.run_folder("rods", 1) / "result.json").exists())
+        self.run_study("--runs-only")
+        self.assertIn("going on from", (self.out / "logs/rods-seed-1.log").read_text())
+        self.assertEqual(self.result("rods", 1)["particles"], 150)
 
     def test_a_folder_that_is_no_study_is_refused(self):
         self.write_table(SMALL + CASES)
