@@ -48,13 +48,14 @@ struct Ensemble {
 /// Finds a case by name; null when there is none.
 const EnsembleCase* case_named(const Ensemble& ensemble, const std::string& name);
 
-/// Reads ensemble.json, as write_ensemble() wrote it. @throws DataError when it is missing or
-/// malformed.
+/// Reads ensemble.json and, where it is beside it, cost.json, as write_ensemble() wrote them.
+/// @throws DataError when ensemble.json is missing or one is malformed.
 Ensemble read_ensemble(const std::string& file);
 
-/// Writes `folder`/ensemble.json, numbers.csv (columns case, number, mean, sem, n) and one CSV
-/// table per case and measured table. Tables of cases that an ensemble.json there names are removed
-/// first.
+/// Writes `folder`/ensemble.json, cost.json with the numbers that tell of the clock (wall_time_s,
+/// core_seconds), which differ whenever a study is run, numbers.csv (columns case, number, mean,
+/// sem, n) and one CSV table per case and measured table. Tables of cases that an ensemble.json
+/// there names are removed first.
 /// @throws DataError when one cannot be written.
 void write_ensemble(const Ensemble& ensemble, const std::string& folder);
 

@@ -18,7 +18,11 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format = "rodpack-ensemble 1";
+constexpr const char* cost_format = "rodpack-cost 1";
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+// What the clock says, and no two runs agree in: kept in cost.json, so that ensemble.json is the
+// same whenever and wherever it is made again.
+const std::set<std::string> cost_numbers = {"wall_time_s", "core_seconds"};
 // Keys of a case that are not numbers of it.
 const std::set<std::string> other_keys = {"parameters", "runs", "seeds", "curves"};
 
@@ -50,7 +54,8 @@ Json curve_json(const EnsembleCurve& curve) {
 
 Json case_json(const EnsembleCase& one) {
   Json json = {{"parameters", one.parameters}, {"runs", one.runs}, {"seeds", one.seeds}};
-  for (const auto& [name, mean] : one.numbers) json[name] = mean_json(mean);
+  for (const auto& [name, mean] : one.numbers)
+    if (!cost_numbers.count(name)) json[name] = mean_json(mean);
   json["curves"] = Json::object();
   for (const auto& [name, curve] : one.curves) {
     const auto dot = name.find('.');
@@ -79,15 +84,31 @@ EnsembleCurve curve_from(const Json& json) {
   return curve;
 }
 
+// A file of that format, with an object 'cases'.
+Json read_object(const std::string& file, const std::string& expected_format) {
+  std::ifstream in(file);
+  if (!in) throw DataError(file + ": no such file, or it cannot be read");
+  auto json = Json::parse(in, nullptr, false);
+  if (!json.is_object() || json.value("format", Json()) != expected_format)
+    throw DataError(file + ": expected a JSON object with \"format\": \"" + expected_format + "\"");
+  if (!json.value("cases", Json()).is_object())
+    throw DataError(file + ": expected an object 'cases'");
+  return json;
+}
+
+void read_numbers(const Json& json, EnsembleCase& one) {
+  for (const auto& [key, value] : json.items())
+    if (!other_keys.count(key))
+      one.numbers[key] = mean_from(value.at("mean"), value.at("sem"), value.at("n"));
+}
+
 EnsembleCase case_from(const std::string& name, const Json& json) {
   EnsembleCase one;
   one.name = name;
   one.parameters = json.at("parameters");
   one.runs = json.at("runs").get<std::vector<std::string>>();
   one.seeds = json.at("seeds").get<std::vector<long>>();
-  for (const auto& [key, value] : json.items())
-    if (!other_keys.count(key))
-      one.numbers[key] = mean_from(value.at("mean"), value.at("sem"), value.at("n"));
+  read_numbers(json, one);
   for (const auto& [table, columns] : json.at("curves").items())
     for (const auto& [column, curve] : columns.items())
       one.curves[table + "." + column] = curve_from(curve);
@@ -134,11 +155,30 @@ void write_tables(const EnsembleCase& one, const fs::path& folder) {
 void write_numbers(const Ensemble& ensemble, const fs::path& folder) {
   std::string text = csv_line({"case", "number", "mean", "sem", "n"}) + "\n";
   for (const auto& one : ensemble.cases)
-    for (const auto& [name, mean] : one.numbers)
+    for (const auto& [name, mean] : one.numbers) {
+      if (cost_numbers.count(name)) continue;
       text += csv_line({one.name, name, number_text(mean.mean),
                         number_text(mean.sem.value_or(none)), std::to_string(mean.n)}) +
               "\n";
+    }
   write_text((folder / "numbers.csv").string(), text);
+}
+
+Json cost_json(const Ensemble& ensemble) {
+  Json json = {{"format", cost_format}, {"cases", Json::object()}};
+  for (const auto& one : ensemble.cases)
+    for (const auto& [name, mean] : one.numbers)
+      if (cost_numbers.count(name)) json["cases"][one.name][name] = mean_json(mean);
+  return json;
+}
+
+// Writes the file whole or not at all, also when this is interrupted.
+void write_whole(const Json& json, const fs::path& file) {
+  const fs::path unfinished = file.string() + ".part";
+  write_json(unfinished.string(), json);
+  std::error_code error;
+  fs::rename(unfinished, file, error);
+  if (error) throw DataError(file.string() + ": cannot be written (" + error.message() + ")");
 }
 
 }  // namespace
@@ -150,16 +190,16 @@ const EnsembleCase* case_named(const Ensemble& ensemble, const std::string& name
 }
 
 Ensemble read_ensemble(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw DataError(file + ": no such file, or it cannot be read");
-  const auto json = Json::parse(in, nullptr, false);
-  if (!json.is_object() || json.value("format", Json()) != format)
-    throw DataError(file + ": expected a JSON object with \"format\": \"" + format + "\"");
+  const Json json = read_object(file, format);
+  const std::string cost_file = (fs::path(file).parent_path() / "cost.json").string();
+  const Json cost = fs::exists(cost_file) ? read_object(cost_file, cost_format) : Json();
   Ensemble ensemble;
   try {
-    if (!json.at("cases").is_object()) throw DataError(file + ": expected an object 'cases'");
-    for (const auto& [name, one] : json.at("cases").items())
+    for (const auto& [name, one] : json.at("cases").items()) {
       ensemble.cases.push_back(case_from(name, one));
+      if (cost.is_object() && cost.at("cases").contains(name))
+        read_numbers(cost["cases"][name], ensemble.cases.back());
+    }
     ensemble.notes = json.at("notes").get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception& reason) {
     throw DataError(file + ": is not as `rodpack ensemble` writes it: " + reason.what());
@@ -178,11 +218,8 @@ void write_ensemble(const Ensemble& ensemble, const std::string& folder) {
     write_tables(one, folder);
   }
   write_numbers(ensemble, folder);
-  // Whole or not at all, also when this is interrupted.
-  const fs::path file = fs::path(folder) / "ensemble.json", unfinished = file.string() + ".part";
-  write_json(unfinished.string(), json);
-  fs::rename(unfinished, file, error);
-  if (error) throw DataError(file.string() + ": cannot be written (" + error.message() + ")");
+  write_whole(cost_json(ensemble), fs::path(folder) / "cost.json");
+  write_whole(json, fs::path(folder) / "ensemble.json");
 }
 
 }  // namespace rodpack

@@ -7,9 +7,9 @@
 
 namespace rodpack {
 
-/// "format" of analysis/summary.json; the number rises when a table beside it changes its meaning,
-/// so that analyses of before are not mixed with later ones.
-constexpr const char* analysis_format = "rodpack-analysis 2";
+/// "format" of analysis/summary.json. The number rises when a number in it or a table beside it is
+/// added or changes its meaning, so that analyses of before are not mixed with later ones.
+constexpr const char* analysis_format = "rodpack-analysis 3";
 
 /// Dumps `run`/dumps/`kind`.*.dump, plain or .gz, in order of time. A run that was resumed may end
 /// earlier than the one that was interrupted had come: dumps after the step that `run`/result.json

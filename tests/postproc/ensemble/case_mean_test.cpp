@@ -253,7 +253,7 @@ TEST(RunAnalysis, SaysWhyItIsNotCurrent) {
     return why_not_current(run);
   };
   EXPECT_EQ(reason_with("format", "rodpack-analysis 1"),
-            "the analysis is not of the format 'rodpack-analysis 2'");
+            std::string("the analysis is not of the format '") + analysis_format + "'");
   EXPECT_EQ(reason_with("rodpack", {{"version", "0.0"}}),
             std::string("the analysis is not by rodpack ") + version());
   EXPECT_EQ(reason_with("timestep", 1000),

@@ -12,6 +12,7 @@
 #include "liggghts_run.h"
 #include "reading/data_error.h"
 #include "reading/table.h"
+#include "reading/text_file.h"
 
 namespace {
 using namespace rodpack;
@@ -28,6 +29,7 @@ Ensemble some_ensemble() {
   one.seeds = {1, 2};
   one.numbers["solid_fraction"] = {1.0 / 3, 0.1 / 3, 2};
   one.numbers["single"] = {0.1 + 0.2, std::nullopt, 1};
+  one.numbers["wall_time_s"] = {1.0 / 7, 0.01, 2};
   one.curves["rdf.g"] = {"r_over_dp",
                          {0.05, 0.15, 1.0 / 7},
                          {{1e-300, 0.0, 2}, {M_PI, {}, 1}, {none, {}, 0}},
@@ -86,6 +88,8 @@ TEST(EnsembleFile, NumbersStandWhereUsersLookForThem) {
   EXPECT_EQ(one.at("solid_fraction").at("mean"), 1.0 / 3);
   EXPECT_EQ(one.at("solid_fraction").at("n"), 2);
   EXPECT_TRUE(one.at("single").at("sem").is_null());
+  EXPECT_FALSE(one.contains("wall_time_s")) << "another number each time that a study is run";
+  EXPECT_THAT(read_text((folder / "cost.json").string()), testing::HasSubstr("wall_time_s"));
   EXPECT_EQ(one.at("curves").at("rdf").at("g").at("mean")[1], M_PI);
   EXPECT_EQ(one.at("curves").at("profile").at("pressure_N_m").at("abscissa"), "h_over_dp");
   const auto numbers = read_table((folder / "numbers.csv").string(), "case,number,mean,sem,n");
