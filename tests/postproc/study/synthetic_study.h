@@ -31,7 +31,7 @@ class SyntheticStudy {
       const double value = shape(g * std::acos(-1.0) / 180) / range;
       curve.y.push_back({value, 0.03 / range, 5});
     }
-    number(name, "nematic_order_S2", 0.3, 0.01);
+    number(name, "nematic_order_S2_pooled", 0.3, 0.01);
   }
 
   /// G(r): 1 with a peak of Gaussian shape, standard errors 0.03.
