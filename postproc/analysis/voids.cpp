@@ -40,10 +40,16 @@ struct Raster {
   }
 };
 
+// Half a step less than the probe's: its centre stands on the raster, which costs as much on
+// average.
+double probe_radius(const VoidSearch& search) {
+  return 0.5 * search.probe - (0.5 + 1e-9) * search.step;
+}
+
 // Where the centre of the probe may be.
 std::vector<char> room_for_probe(const Raster& raster, const Frame& spheres, const Walls& walls,
                                  const VoidSearch& search) {
-  const double half = 0.5 * search.probe;
+  const double half = probe_radius(search);
   std::vector<char> room(static_cast<std::size_t>(raster.columns * raster.rows), 0);
   for (long j = 0; j < raster.rows; ++j)
     for (long i = 0; i < raster.columns; ++i)
@@ -58,7 +64,7 @@ std::vector<char> room_for_probe(const Raster& raster, const Frame& spheres, con
 
 // What the probe covers. Only from the edge of its room does it reach beyond that room.
 std::vector<char> covered_by_probe(const Raster& raster, const std::vector<char>& room,
-                                   double probe) {
+                                   const VoidSearch& search) {
   std::vector<char> covered = room;
   for (long j = 0; j < raster.rows; ++j)
     for (long i = 0; i < raster.columns; ++i) {
@@ -66,7 +72,7 @@ std::vector<char> covered_by_probe(const Raster& raster, const std::vector<char>
       bool edge = false;
       for (const auto& [a, b] : {std::pair{i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}})
         edge = edge || !raster.holds(a, b) || !room[raster.at(a, b)];
-      if (edge) raster.paint(covered, raster.x(i), raster.y(j), 0.5 * probe, 1);
+      if (edge) raster.paint(covered, raster.x(i), raster.y(j), probe_radius(search), 1);
     }
   return covered;
 }
@@ -105,6 +111,15 @@ Void take_region(const Raster& raster, std::vector<char>& covered, long i, long 
   return region;
 }
 
+// Distance from its centre beyond which a void has no part.
+double reach_of(const Void& region) {
+  double reach = 0;
+  for (const auto& row : region.rows)
+    for (const double x : {row.x_low, row.x_high})
+      reach = std::max(reach, std::hypot(x - region.x, row.y - region.y));
+  return reach;
+}
+
 // The circular arc of a curved particle's sphere centres.
 struct Arc {
   double x, y;        // centre of curvature, m
@@ -116,7 +131,17 @@ struct Arc {
   bool hollow_holds(double px, double py) const {
     const double dx = px - x, dy = py - y;
     const double distance = std::hypot(dx, dy), along = dx * ux + dy * uy;
-    return distance < radius && along >= chord - half_width && along >= distance * chord / radius;
+    return distance < radius - half_width && along >= chord - half_width &&
+           along >= distance * chord / radius;
+  }
+
+  // Whether more than half of a void's area lies there.
+  bool hollow_holds_most_of(const Void& region, double step) const {
+    long inside = 0, all = 0;
+    for (const auto& row : region.rows)
+      for (long k = 0; k < std::lround((row.x_high - row.x_low) / step); ++k, ++all)
+        inside += hollow_holds(row.x_low + (static_cast<double>(k) + 0.5) * step, row.y) ? 1 : 0;
+    return 2 * inside > all;
   }
 };
 
@@ -177,16 +202,17 @@ std::vector<Void> find_voids(const Frame& spheres, const Walls& walls, const Voi
   if (!(search.probe > 0) || !(search.step > 0) || !(search.surface > walls.floor))
     throw DataError("voids: probe, step and height of the bed have to be positive");
   const Raster raster(walls, search);
-  auto covered =
-      covered_by_probe(raster, room_for_probe(raster, spheres, walls, search), search.probe);
+  auto covered = covered_by_probe(raster, room_for_probe(raster, spheres, walls, search), search);
   const auto arcs = arcs_of(spheres);
   std::vector<Void> voids;
   for (long j = 0; j < raster.rows; ++j)
     for (long i = 0; i < raster.columns; ++i) {
       if (!covered[raster.at(i, j)]) continue;
       Void region = take_region(raster, covered, i, j);
+      const double reach = reach_of(region);
       region.in_hollow = std::any_of(arcs.begin(), arcs.end(), [&](const Arc& arc) {
-        return arc.hollow_holds(region.x, region.y);
+        return std::hypot(region.x - arc.x, region.y - arc.y) < arc.radius + reach &&
+               arc.hollow_holds_most_of(region, search.step);
       });
       voids.push_back(std::move(region));
     }

@@ -18,10 +18,11 @@ struct VoidRow {
 /// room: one into which a sphere of that size fits without overlapping a particle, a wall or the
 /// surface. Narrower gaps between particles are not part of it.
 struct Void {
-  double x = 0, y = 0;     // centre of its area, m
-  double area = 0;         // m^2
-  bool in_hollow = false;  // its centre lies between a curved particle and the chord of the
-                           // particle's end spheres, moved away from the arc by a sphere's radius
+  double x = 0, y = 0;  // centre of its area, m
+  double area = 0;      // m^2
+  // More than half of its area lies in the hollow of one curved particle: between the inside of its
+  // arc and the chord of its end spheres' centres, moved away from the arc by a sphere's radius.
+  bool in_hollow = false;
   std::vector<VoidRow> rows;
 };
 

@@ -28,8 +28,8 @@ struct RunFrame {
 // The last frame of the first run of a case whose dumps are there.
 std::optional<RunFrame> last_frame(const EnsembleCase& each, const std::string& study) {
   for (const auto& run : each.runs) {
-    std::string folder = run;
-    if (!fs::exists(folder)) folder = (fs::path(study) / run).string();
+    std::string folder = (fs::path(study) / run).string();
+    if (!fs::exists(folder)) folder = run;
     if (!fs::exists(fs::path(folder) / "dumps")) continue;
     RunFrame result;
     const auto last = [&](const char* kind) {
@@ -157,7 +157,7 @@ StudyFigure draw_packing_with_voids(const Ensemble& ensemble, const std::string&
                    "particle. Down from AR d_p below the surface, " +
                    std::to_string(voids.size()) + " voids cover " +
                    number_text(100 * area / bed, 3) + " % of the area; " + std::to_string(hollows) +
-                   " of them have their centre in the hollow of a particle.";
+                   " of them lie mostly in the hollow of a particle.";
   return figure;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "study/study_figures.h"
 
+#include <filesystem>
+
 #include "reading/json_file.h"
 
 namespace rodpack {
@@ -24,6 +26,11 @@ std::vector<StudyFigure> draw_study_figures(const Ensemble& ensemble, const std:
   figures.push_back(draw_curved_rdf(ensemble, out));
   figures.push_back(draw_curved_pressure(ensemble, out));
   figures.push_back(draw_pressure_over_theta(ensemble, out));
+  // What an earlier run has left there would be taken for a figure of these cases.
+  for (const auto& figure : figures)
+    if (!figure.not_drawn.empty())
+      for (const char* suffix : {".png", ".svg"})
+        std::filesystem::remove(std::filesystem::path(out) / (figure.name + suffix));
   return figures;
 }
 

@@ -16,11 +16,12 @@ constexpr double negligible = 0.05;
 
 Surface surface_of(bool coarse) { return coarse ? Surface::coarse : Surface::smooth; }
 
-// <cos 2 gamma>, 1 when all lie flat and 0 when isotropic, of the mean distribution. Its scatter
-// between runs is that of the nematic order, which is the same number when the director lies flat.
+// <cos 2 gamma>, 1 when all lie flat and 0 when isotropic, of the mean distribution. Its error is
+// that of the nematic order of the runs together, which is the same number when the director lies
+// flat.
 std::optional<EnsembleMean> flatness(const EnsembleCase* each) {
   const auto* curve = curve_of(each, distribution);
-  const auto* order = number_of(each, "nematic_order_S2");
+  const auto* order = number_of(each, "nematic_order_S2_pooled");
   if (!curve || !order) return std::nullopt;
   EnsembleMean mean;
   double total = 0;
