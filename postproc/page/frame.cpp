@@ -21,7 +21,8 @@ std::string page_html(const Page& page) {
             section.content + "</section>\n";
   }
   std::string script;
-  for (const char* name : {"decode.js", "view.js", "draw.js", "details.js", "viewer.js", "page.js"})
+  for (const char* name :
+       {"decode.js", "view.js", "pixels.js", "draw.js", "details.js", "viewer.js", "page.js"})
     script += web_file(name);
   return filled(web_file("page.html"), {{"title", escaped(page.title)},
                                         {"lead", page.lead},

@@ -23,13 +23,19 @@ SWITCHES = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-ru
 --disable-dev-shm-usage""".split()
 
 
+def require_browser():
+    """Fails where there is no browser; returns its program and its driver's."""
+    programs = shutil.which("chromium"), shutil.which("chromedriver")
+    if None in programs:
+        fail("no browser: install chromium and chromium-driver (docker/packages-tests.txt)")
+    return programs
+
+
 class Browser:
     """A browser with a fresh profile; `with Browser() as browser` ends it."""
 
     def __enter__(self):
-        chromium, driver = shutil.which("chromium"), shutil.which("chromedriver")
-        if not chromium or not driver:
-            fail("no browser: install chromium and chromium-driver (docker/packages-tests.txt)")
+        chromium, driver = require_browser()
         self.profile = tempfile.mkdtemp(prefix="rodpack-browser-")
         options = webdriver.ChromeOptions()
         options.binary_location = chromium

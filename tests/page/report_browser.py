@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 
-from browser import Browser, fail
+from browser import Browser, fail, require_browser
 
 VIEWER = "const viewer = document.querySelector('.viewer').viewer; "
 
@@ -210,6 +210,7 @@ def prints(browser, folder):
 def main():
     if len(sys.argv) != 4:
         sys.exit("usage: report_browser.py RODPACK EXAMPLE FOLDER")
+    require_browser()
     rodpack, example, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
     shutil.rmtree(folder, ignore_errors=True)
     run = folder / "runs" / "smooth-AR5" / "seed-1"

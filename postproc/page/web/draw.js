@@ -5,18 +5,6 @@ const edgeColour = '#202020';
 const chosenColour = '#D55E00';
 const neighbourColour = '#0072B2';
 
-/** One disc that is copied for all spheres of a shade: much quicker than to draw each. */
-function discImage(radius, colour) {
-  const image = document.createElement('canvas');
-  image.width = image.height = 2 * Math.ceil(radius + 1);
-  const context = image.getContext('2d');
-  context.fillStyle = colour;
-  context.beginPath();
-  context.arc(image.width / 2, image.height / 2, radius, 0, 2 * Math.PI);
-  context.fill();
-  return image;
-}
-
 /** Spheres that the view shows, as places among all. */
 function visibleSpheres(packing, view) {
   const { x, y, radius } = packing.spheres;
@@ -33,27 +21,18 @@ function visibleSpheres(packing, view) {
  *  particle has an outline and its overlapping spheres have none between them. */
 function drawSpheres(context, packing, view, spheres) {
   const { x, y, radius } = packing.spheres;
+  const finer = window.devicePixelRatio;  // pixels of the canvas for one of the view
   const outline = Math.min(Math.max(0.06 * packing.bed.diameter_m * view.scale, 0.3), 3);
-  const pixels = 1.5 * window.devicePixelRatio;  // finer than those of the screen
-  const size = packing.bed.diameter_m / 2 * view.scale;
-  const copy = (k, image, r) => {
+  const dark = pixelColour(edgeColour);
+  const shades = packing.scale.colours.map(pixelColour);
+  const pixels = new Pixels(context);
+  const paint = (k, narrower, colour) => {
     const [px, py] = view.toScreen(x[k], y[k]);
-    const half = r * image.width / (2 * image.radius);
-    context.drawImage(image, px - half, py - half, 2 * half, 2 * half);
+    pixels.disc(px * finer, py * finer, (radius[k] * view.scale - narrower) * finer, colour);
   };
-  const make = colour => {
-    const image = discImage(Math.min(size * pixels, 400), colour);
-    image.radius = Math.min(size * pixels, 400);
-    return image;
-  };
-  const dark = make(edgeColour);
-  for (const k of spheres) copy(k, dark, radius[k] * view.scale);
-  const shaded = packing.scale.colours.map(() => null);
-  for (const k of spheres) {
-    const shade = packing.shade[k];
-    shaded[shade] = shaded[shade] || make(packing.scale.colours[shade]);
-    copy(k, shaded[shade], radius[k] * view.scale - outline);
-  }
+  for (const k of spheres) paint(k, 0, dark);
+  for (const k of spheres) paint(k, outline, shades[packing.shade[k]]);
+  pixels.show();
 }
 
 function drawWalls(context, packing, view) {
@@ -102,10 +81,8 @@ function drawChosen(context, packing, view, particle) {
   const touching = packing.contacts ? packing.contacts[particle] : [];
   const neighbours = touching.filter(contact => contact.particle !== null);
   const rim = Math.min(Math.max(0.06 * packing.bed.diameter_m * view.scale, 1.5), 4);
-  for (const { particle: other } of neighbours) {
-    drawRim(context, packing, view, other, neighbourColour, rim);
-    drawSpheres(context, packing, view, spheresOf(packing, other));
-  }
+  for (const { particle: other } of neighbours) drawRim(context, packing, view, other, neighbourColour, rim);
+  drawSpheres(context, packing, view, neighbours.flatMap(contact => spheresOf(packing, contact.particle)));
   drawRim(context, packing, view, particle, chosenColour, 1.5 * rim);
   drawSpheres(context, packing, view, spheresOf(packing, particle));
   const strongest = Math.max(...touching.map(contact => contact.force), 0);
