@@ -57,8 +57,8 @@ std::vector<CaseMap> straight_maps(const Ensemble& ensemble, const std::string& 
 
 // The maps side by side, all at one scale.
 struct MapLayout {
-  double left = 6, right = 10, bottom = 4.6, top = 3.8, gap = 2.2;  // letters
-  double per_diameter = 1;                                          // letters per d_p
+  double left = 6.6, right = 10, bottom = 4.6, top = 3.8, gap = 2.2;  // letters
+  double per_diameter = 1;                                            // letters per d_p
   double width = 0, height = 0;
 
   explicit MapLayout(const std::vector<CaseMap>& maps) {

@@ -142,7 +142,13 @@ StudyFigure draw_packing_with_voids(const Ensemble& ensemble, const std::string&
   // axial length deep, is not a void.
   const VoidSearch search{0.5 * frame->diameter, frame->diameter / 20,
                           frame->surface - frame->axial_length};
-  const auto voids = find_voids(frame->spheres, frame->walls, search);
+  auto voids = find_voids(frame->spheres, frame->walls, search);
+  // Those that reach the top of the search go on above it.
+  voids.erase(std::remove_if(voids.begin(), voids.end(),
+                             [&](const Void& one) {
+                               return one.rows.back().y > search.surface - search.step;
+                             }),
+              voids.end());
   draw_voids(frame->spheres, voids, search, frame->walls, central_window(*frame), frame->diameter,
              (fs::path(out) / figure.name).string());
   double area = 0;

@@ -68,7 +68,7 @@ std::vector<Peak> find_peaks(const EnsembleCurve& curve) {
     peak.height = curve.y[bin];
     peak.prominence = curve.y[bin].mean - curve.y[low].mean;
     peak.prominence_error = std::sqrt(variance[bin] + std::max(0.0, variance[low]));
-    if (!(peak.prominence > 3 * peak.prominence_error)) continue;
+    if (!(peak.prominence > peak_significance * peak.prominence_error)) continue;
     place_peak(peak, curve, bin, width, variance);
     peaks.push_back(peak);
   }

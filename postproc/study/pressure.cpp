@@ -59,21 +59,23 @@ std::optional<double> usable_depth(const EnsembleCase* each) {
 
 EnsembleMean mean_pressure(const EnsembleCase& each, double from, double to) {
   const auto& curve = *curve_of(&each, "profile.pressure_N_m");
+  int runs = 0;
+  for (const auto& value : curve.y) runs = std::max(runs, value.n);
   EnsembleMean mean;
   double sem = 0;
   bool errors = true;
   int count = 0;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const auto& value = curve.y[k];
-    if (curve.x[k] < from || curve.x[k] > to || value.n == 0) continue;
+    if (curve.x[k] < from || curve.x[k] > to || value.n < runs) continue;
     mean.mean += value.mean;
     errors = errors && value.sem;
     sem += value.sem.value_or(0);
-    mean.n = count == 0 ? value.n : std::min(mean.n, value.n);
     ++count;
   }
   if (count == 0) return {};
   mean.mean /= count;
+  mean.n = runs;
   if (errors) mean.sem = sem / count;
   return mean;
 }

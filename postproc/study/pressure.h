@@ -24,7 +24,8 @@ std::optional<JanssenFit> janssen_of(const EnsembleCase& each, std::string& why)
 /// without a profile, or in a bed lower than that; `each` may be null.
 std::optional<double> usable_depth(const EnsembleCase* each);
 
-/// Mean of P_0 over the depths `from` to `to`, d_p, N/m. Its standard error is the mean of those of
+/// Mean of P_0 over the depths `from` to `to`, d_p, that all runs reach, N/m: near the highest
+/// surface the lower beds have no value yet. Its standard error is the mean of those of
 /// the depths, as if all shared one deviation: an upper bound. n is 0 when there is no depth.
 EnsembleMean mean_pressure(const EnsembleCase& each, double from, double to);
 

@@ -102,7 +102,7 @@ StudyFigure draw_rdf(const Ensemble& ensemble, const std::string& out) {
   const auto figure = finish(
       {"fig4_rdf", "Fig. 4",
        "Radial distribution function of the centres of straight particles, mean and standard "
-       "error over the repetitions. Peaks that stand out by more than 3 standard errors are "
+       "error over the repetitions. Peaks that stand out by more than 5 standard errors are "
        "named by their position.",
        ""},
       sheet, out, "no straight case has a radial distribution function");
@@ -138,7 +138,7 @@ StudyFigure draw_curved_rdf(const Ensemble& ensemble, const std::string& out) {
       {"fig9_rdf_curved", "Fig. 9",
        "Radial distribution function of the centres of curved particles, and of the straight "
        "smooth "
-       "ones, mean and standard error over the repetitions. Peaks that stand out by more than 3 "
+       "ones, mean and standard error over the repetitions. Peaks that stand out by more than 5 "
        "standard errors are named by their position.",
        ""},
       sheet, out, "no curved case has a radial distribution function");

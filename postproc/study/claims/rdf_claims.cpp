@@ -17,19 +17,34 @@ const Peak* highest_peak(const std::vector<Peak>& peaks) {
   return found == peaks.end() ? nullptr : &*found;
 }
 
-// The first peak beyond those that touch side by side, at about d_p, which is the same for either
-// surface; peaks less than a quarter as prominent as the most prominent one do not count.
-const Peak* first_peak_beyond_contact(const std::vector<Peak>& peaks) {
-  double most = 0;
-  for (const auto& peak : peaks) most = std::max(most, peak.prominence);
+// The first peak of the second row of parallel neighbours. Rows that nestle into each other are
+// sqrt(3)/2 d_p apart where the spheres of a chain touch, and sqrt(1 - 1/16) d_p where they overlap
+// by half: two rows make 1.73 and 1.94 d_p. Between the rows, and only for long smooth particles,
+// shifted neighbours of the first row stand at 1.22 and 1.58 d_p.
+const Peak* second_row(const std::vector<Peak>& peaks) {
   for (const auto& peak : peaks)
-    if (peak.position > 1.2 && peak.prominence > 0.25 * most) return &peak;
+    if (peak.position > 1.65 && peak.position < 2.1) return &peak;
   return nullptr;
 }
 
 std::string peak_text(const char* surface, const Peak& peak) {
   return std::string(surface) + " G = " + in_words(peak.height.mean, peak.height.sem, 3) +
          " at r = " + in_words(peak.position, peak.position_error, 3) + " d_p";
+}
+
+// Undecided where one of the curves, though it has errors, has no such peak.
+void judge_peaks(Claim& claim, const std::optional<Contrast>& difference,
+                 const EnsembleCurve& smooth, const EnsembleCurve& coarse) {
+  const auto has_errors = [](const EnsembleCurve& curve) {
+    return std::any_of(curve.y.begin(), curve.y.end(),
+                       [](const EnsembleMean& value) { return value.sem.has_value(); });
+  };
+  if (!difference && has_errors(smooth) && has_errors(coarse)) {
+    claim.verdict = Verdict::undecided;
+    claim.remark = "no such peak stands out of the noise for one of the surfaces";
+    return;
+  }
+  judge_above(claim, difference);
 }
 
 std::vector<Claim> peak_claims(const Ensemble& ensemble, double aspect_ratio) {
@@ -45,8 +60,8 @@ std::vector<Claim> peak_claims(const Ensemble& ensemble, double aspect_ratio) {
       "Peaks of G(r) are at smaller r for coarse particles than for smooth ones (AR = " + ratio +
       ")";
   nearer.measured =
-      "position of the first peak beyond r = 1.2 d_p with a quarter of the largest prominence, "
-      "smooth less coarse, d_p";
+      "position of the first peak from 1.65 to 2.1 d_p, of the second row of parallel neighbours "
+      "(nestled rows: 1.73 coarse, 1.94 smooth), smooth less coarse, d_p";
   nearer.test =
       "difference over its error, a bin's width over sqrt(12) each in it: normal around 0 "
       "if alike";
@@ -66,10 +81,9 @@ std::vector<Claim> peak_claims(const Ensemble& ensemble, double aspect_ratio) {
     higher.remark = peak_text("coarse", *high_coarse) + ", " + peak_text("smooth", *high_smooth);
     difference = contrast_of({{1, high_coarse->height}, {-1, high_smooth->height}});
   }
-  judge_above(higher, difference);
+  judge_peaks(higher, difference, *curves[0], *curves[1]);
 
-  const auto *near_coarse = first_peak_beyond_contact(coarse),
-             *near_smooth = first_peak_beyond_contact(smooth);
+  const auto *near_coarse = second_row(coarse), *near_smooth = second_row(smooth);
   difference.reset();
   if (near_coarse && near_smooth) {
     nearer.remark = peak_text("coarse", *near_coarse) + ", " + peak_text("smooth", *near_smooth);
@@ -79,7 +93,7 @@ std::vector<Claim> peak_claims(const Ensemble& ensemble, double aspect_ratio) {
                                     std::pow(near_coarse->position_error, 2) + 2 * bin * bin / 12),
                           1e6};
   }
-  judge_above(nearer, difference);
+  judge_peaks(nearer, difference, *curves[0], *curves[1]);
   return {higher, nearer};
 }
 

@@ -119,6 +119,14 @@ TEST(Claims, PeaksAreComparedInHeightAndPlace) {
   EXPECT_GT(*named(claims, "coarse_rdf_peaks_nearer_AR3").error, 0.1 * std::sqrt(2.0 / 12));
 }
 
+TEST(Claims, WithoutAPeakOfTheSecondRowItsPlaceIsUndecided) {
+  auto study = study_of_claims(1);
+  study.peak("smooth-AR5", 2.95, 2);
+  const auto claim = named(by_name(study.ensemble), "coarse_rdf_peaks_nearer_AR5");
+  EXPECT_EQ(claim.verdict, Verdict::undecided);
+  EXPECT_THAT(claim.remark, HasSubstr("no such peak stands out of the noise"));
+}
+
 TEST(Claims, PressuresOfEqualLongParticlesAreAlikeAndOfUnequalOnesNot) {
   auto study = study_of_claims(1);
   EXPECT_EQ(named(by_name(study.ensemble), "coarse_pressure_like_smooth_AR7").verdict,
@@ -126,6 +134,21 @@ TEST(Claims, PressuresOfEqualLongParticlesAreAlikeAndOfUnequalOnesNot) {
   study.pressure("coarse-AR7", [](double h) { return 0.13 * h; });
   EXPECT_EQ(named(by_name(study.ensemble), "coarse_pressure_like_smooth_AR7").verdict,
             Verdict::does_not_hold);
+}
+
+TEST(Claims, DepthsThatNotAllBedsReachAreLeftOut) {
+  // Depth counts from the highest surface of all repetitions: above the others there is one run.
+  auto study = study_of_claims(1);
+  const auto before = named(by_name(study.ensemble), "spheres_follow_janssen");
+  for (auto& each : study.ensemble.cases)
+    if (each.name == "spheres")
+      for (int h = 0; h < 3; ++h)
+        each.curves["profile.pressure_N_m"].y[static_cast<std::size_t>(h)] = {1e3, std::nullopt, 1};
+  const auto after = named(by_name(study.ensemble), "spheres_follow_janssen");
+  EXPECT_EQ(after.verdict, Verdict::holds);
+  // Without its three lowest values, about 0 to 0.8 N/m, the upper third is a little higher.
+  EXPECT_LT(*after.value, *before.value);
+  EXPECT_NEAR(*after.value, *before.value, 0.5);
 }
 
 TEST(Claims, FilesHaveARowEach) {
