@@ -8,10 +8,14 @@
 namespace rodpack {
 
 /// Writes `content`, a JSON object, to `file`, replacing it: keys in their order, then "rodpack"
-/// with its version and commit, indented by two, a list of numbers on one line. Every JSON file of the post-processor is written
-/// here.
+/// with its version and commit, indented by two, a list of numbers on one line. Every JSON file of
+/// the post-processor is written here.
 /// @throws DataError when that fails.
 void write_json(const std::string& file, const nlohmann::ordered_json& content);
+
+/// Reads a JSON object, its keys in their order. @throws DataError when the file is missing or
+/// holds none.
+nlohmann::ordered_json read_json_object(const std::string& file);
 
 }  // namespace rodpack
 
