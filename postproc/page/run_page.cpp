@@ -7,11 +7,11 @@
 #include "page/figures_section.h"
 #include "page/frame.h"
 #include "page/html.h"
-#include "page/json_input.h"
 #include "page/tables.h"
 #include "page/words.h"
 #include "reading/data_error.h"
 #include "reading/text_file.h"
+#include "reading/json_file.h"
 
 namespace rodpack {
 namespace {

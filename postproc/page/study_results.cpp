@@ -8,10 +8,10 @@
 
 #include "page/figures_section.h"
 #include "page/html.h"
-#include "page/json_input.h"
 #include "page/tables.h"
 #include "page/words.h"
 #include "reading/table.h"
+#include "reading/json_file.h"
 
 namespace rodpack {
 namespace {
@@ -183,7 +183,9 @@ std::string study_figures_html(const Study& study) {
       const auto name = text_of(figure, "name"), paper = text_of(figure, "paper");
       if (const std::string why = figure.value("not_drawn", ""); !why.empty())
         not_drawn.push_back({"", figure.value("paper", name) + ": " + why});
-      texts.push_back({name, "Paper's " + paper, text_of(figure, "caption"), true});
+      const bool numbered = paper.rfind("Fig", 0) == 0 || paper.rfind("Table", 0) == 0;
+      texts.push_back(
+          {name, (numbered ? "Paper's " : "") + paper, text_of(figure, "caption"), true});
     }
   int number = 0;
   std::string html = figures_html(results(study), texts, number, true);

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "page/html.h"
-#include "page/json_input.h"
 #include "page/tables.h"
 #include "page/words.h"
 #include "reading/data_error.h"
+#include "reading/json_file.h"
 
 namespace rodpack {
 namespace {

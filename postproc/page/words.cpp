@@ -27,7 +27,7 @@ const std::vector<std::pair<std::string, std::string>>& units() {  // the longer
 }
 
 // Labels of keys, without their units, that the key itself says badly.
-const std::map<std::string, std::string>& labels() {
+const std::map<std::string, std::string>& result_labels() {
   static const std::map<std::string, std::string> all{
       {"solid_fraction", "solid fraction φ"},
       {"solid_fraction_from_3_omega_above_floor_to_surface",
@@ -66,7 +66,13 @@ const std::map<std::string, std::string>& labels() {
       {"janssen_pressure_of_mean_profile", "Janssen fit to the mean profile, <i>P</i><sub>j</sub>"},
       {"janssen_rms_residual", "Janssen fit, rms residual"},
       {"kinetic_energy", "kinetic energy at the end"},
-      {"elastic_energy", "elastic energy at the end"},
+      {"elastic_energy", "elastic energy at the end"}};
+  return all;
+}
+
+// The same for parameters, heads of tables and what a run took.
+const std::map<std::string, std::string>& other_labels() {
+  static const std::map<std::string, std::string> all{
       {"aspect_ratio", "aspect ratio AR"},
       {"particle_diameter", "diameter of the primary spheres <i>d</i><sub>p</sub>"},
       {"curvature", "curvature θ"},
@@ -106,11 +112,12 @@ Wording wording(const std::string& key) {
       stem = key.substr(0, key.size() - ending.size());
       break;
     }
-  for (const auto& name : {key, stem})
-    if (const auto known = labels().find(name); known != labels().end()) {
-      result.label = known->second;
-      return result;
-    }
+  for (const auto* labels : {&result_labels(), &other_labels()})
+    for (const auto& name : {key, stem})
+      if (const auto known = labels->find(name); known != labels->end()) {
+        result.label = known->second;
+        return result;
+      }
   std::replace(stem.begin(), stem.end(), '_', ' ');
   result.label = escaped(stem);
   return result;

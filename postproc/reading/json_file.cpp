@@ -2,7 +2,9 @@
 #include "reading/json_file.h"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "reading/data_error.h"
 #include "reading/text_file.h"
 #include "rodpack/version.h"
 
@@ -42,6 +44,13 @@ void write_json(const std::string& file, const nlohmann::ordered_json& content) 
   std::string text;
   append(text, signed_content, "");
   write_text(file, text + "\n");
+}
+
+nlohmann::ordered_json read_json_object(const std::string& file) {
+  if (!std::filesystem::exists(file)) throw DataError(file + ": no such file");
+  auto json = Json::parse(read_text(file), nullptr, false);
+  if (!json.is_object()) throw DataError(file + ": expected a JSON object");
+  return json;
 }
 
 }  // namespace rodpack

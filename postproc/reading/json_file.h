@@ -13,6 +13,10 @@ namespace rodpack {
 /// @throws DataError when that fails.
 void write_json(const std::string& file, const nlohmann::ordered_json& content);
 
+/// Reads a JSON object, its keys in their order. @throws DataError when the file is missing or
+/// holds none.
+nlohmann::ordered_json read_json_object(const std::string& file);
+
 }  // namespace rodpack
 
 #endif
