@@ -72,7 +72,7 @@ def deposit(study, name, seed):
     if status == 0:
         prune(run, plan["keep_restarts"])
     else:
-        errors = [line for line in lines if "ERROR" in line]
+        errors = [line for line in lines if line.startswith("ERROR")]
         fail(study, name, seed, errors[-1] if errors else f"stopped, exit status {status}")
         if not errors:
             return 1
