@@ -4,6 +4,8 @@
   jobs.py deposit OUT CASE SEED     one run, from where it stands to its end
   jobs.py analyse OUT CASE SEED     rodpack analyse
   jobs.py finish OUT PARTIAL        are all runs there? PARTIAL = 1: goes on with those that are
+  jobs.py ensemble OUT              rodpack ensemble
+  jobs.py report OUT                rodpack report
 
 A run that ends with an error of its own would end so again: the step records it and succeeds, so
 that the others go on, in a group job of a cluster as well. What stopped a run from outside (a signal,
@@ -70,7 +72,7 @@ def deposit(study, name, seed):
     if status == 0:
         prune(run, plan["keep_restarts"])
     else:
-        errors = [line for line in lines if "ERROR" in line]
+        errors = [line for line in lines if line.startswith("ERROR")]
         fail(study, name, seed, errors[-1] if errors else f"stopped, exit status {status}")
         if not errors:
             return 1
@@ -125,6 +127,16 @@ def finish(study, partial):
     return 0
 
 
+def compare(study, step):
+    """rodpack ensemble, rodpack report; the flag says that it has come to its end."""
+    log = study.out / "logs" / f"{step}.log"
+    log.unlink(missing_ok=True)
+    status, _ = call([PROGRAMS / "rodpack", step, study.out], log)
+    if status == 0:
+        touch(study.state / step)
+    return status
+
+
 def cases_text(table):
     """cases.json, a case a line."""
     head = {key: value for key, value in table.items() if key != "cases"}
@@ -138,6 +150,8 @@ def main(words):
     study = Study(Path(words[1]))
     if words[0] == "finish":
         return finish(study, words[2] == "1")
+    if words[0] in ("ensemble", "report"):
+        return compare(study, words[0])
     return {"deposit": deposit, "analyse": analyse}[words[0]](study, words[2], int(words[3]))
 
 

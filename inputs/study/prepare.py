@@ -32,6 +32,12 @@ def prepare(plan, speed):
     if not all(complete):
         # Snakemake would not look behind it.
         (study.state / "finished").unlink(missing_ok=True)
+    for step, product in {"ensemble": "ensemble/ensemble.json", "report": "report.html"}.items():
+        if not (study.out / product).exists():
+            (study.state / step).unlink(missing_ok=True)
+    # Snakemake's own marks of steps that were interrupted: the flags know better, and to force such steps
+    # makes Snakemake 7.21 forget others.
+    shutil.rmtree(study.state / ".snakemake" / "incomplete", ignore_errors=True)
     speed_file = study.state / "speed.json"
     known = {**(read_json(speed_file) or {}), socket.gethostname(): speed}
     write_if_other(speed_file, json.dumps(known) + "\n")

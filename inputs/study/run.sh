@@ -135,8 +135,8 @@ status=0
 interrupted=0
 trap 'interrupted=1' INT
 "$python" -m snakemake "$target" --snakefile "$here/Snakefile" --directory "$out/.study" \
-  --config out="$out" partial="$partial" programs="$RODPACK_BIN" \
-  --nolock --rerun-incomplete --keep-going --rerun-triggers mtime "$@" >> "$log" 2>&1 || status=$?
+  --config out="$out" partial="$partial" \
+  --nolock --ignore-incomplete --keep-going --rerun-triggers mtime "$@" >> "$log" 2>&1 || status=$?
 kill "$watch" 2> /dev/null || true
 wait "$watch" 2> /dev/null || true
 if [ -t 1 ]; then echo; fi

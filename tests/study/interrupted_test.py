@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from support import CASES, SMALL, StudyTest, ensemble
+from support import CASES, SMALL, StudyTest, ensemble_text
 
 KILLS = 20
 # Files that the study makes between two kills, at most: 20 times half of that are most of what it makes.
@@ -53,7 +53,7 @@ class Interrupted(StudyTest):
         self.write_table(table.replace("particles: 30", "particles: 60") + CASES)
         self.know_speed()
         self.run_study("--no-report")
-        expected, whole = ensemble(self.out), self.out
+        expected, whole = ensemble_text(self.out), self.out
         self.out = self.folder / "killed"
         self.know_speed()
         moments, met, killed = random.Random(2016), [], 0
@@ -63,7 +63,7 @@ class Interrupted(StudyTest):
             killed += self.kill_after(files, moments.uniform(0, 0.1 if files else 3))
             met.append(self.state())
         self.run_study("--no-report")
-        self.assertEqual(ensemble(self.out), expected)
+        self.assertEqual(ensemble_text(self.out), expected)
         # They have met the study in several states, most with runs in the middle, which went on.
         self.assertGreaterEqual(killed, 12, met)
         self.assertGreaterEqual(len(set(met)), 4, met)

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 from local_slurm import CannotStart, LocalSlurm
-from support import CASES, SMALL, WORKFLOW, StudyTest, ensemble
+from support import CASES, SMALL, WORKFLOW, StudyTest, ensemble_text
 
 SLURM = LocalSlurm(Path(tempfile.mkdtemp(prefix="rodpack-slurm-")))
 
@@ -24,7 +24,7 @@ class Cluster(StudyTest):
         self.write_table("repetitions: 2\n" + table + CASES)
         self.know_speed()
         self.run_study("--no-report")
-        expected = ensemble(self.out)
+        expected = ensemble_text(self.out)
 
         self.out = self.folder / "cluster"
         self.know_speed()
@@ -54,7 +54,7 @@ class Cluster(StudyTest):
         self.assertIn("going on from", "".join(
             (self.out / "logs" / f"rods-seed-{seed}.log").read_text() for seed in (1, 2)
         ))
-        self.assertEqual(ensemble(self.out), expected)
+        self.assertEqual(ensemble_text(self.out), expected)
         # Two jobs, one made again, and the ensemble's: none a run.
         self.assertEqual(len(set(SLURM.jobs()) - before), 4)
 

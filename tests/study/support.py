@@ -94,12 +94,10 @@ class StudyTest(unittest.TestCase):
         return {name: times for name, times in count.items() if times > 0}
 
 
+def ensemble_text(out):
+    """ensemble.json, the same to the last digit for the same runs."""
+    return (out / "ensemble" / "ensemble.json").read_text()
+
+
 def ensemble(out):
-    """ensemble.json less what depends on the clock."""
-
-    def timeless(tree):
-        if isinstance(tree, dict):
-            return {k: timeless(v) for k, v in tree.items() if k not in ("wall_time_s", "core_seconds")}
-        return tree
-
-    return timeless(json.loads((out / "ensemble" / "ensemble.json").read_text()))
+    return json.loads(ensemble_text(out))

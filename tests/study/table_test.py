@@ -37,6 +37,15 @@ class Meaning(StudyTest):
         self.assertEqual(len(names), 21)
         self.assertFalse([name for name in names if "-kn" in name or "-eta" in name or "-mu" in name])
 
+    def test_the_example_of_the_page_means_what_it_says(self):
+        example = (WORKFLOW / "README.md").read_text().split("```yaml\n")[1].split("```")[0]
+        self.assertEqual(
+            self.names(example),
+            ["spheres", "coarse-AR2", "coarse-AR3", "smooth-AR2", "smooth-AR3", "smooth-AR5-mu0.1",
+             "smooth-AR5-mu0.5"],
+        )
+        self.assertIn("smooth-AR5-kn1000", self.names(example.replace("run: no ", "run: yes")))
+
     def test_a_case_without_lists_keeps_its_name(self):
         self.assertEqual(self.names("cases:\n  mine: {aspect_ratio: 3}\n"), ["mine"])
 

@@ -109,6 +109,50 @@ class Workflow(StudyTest):
         self.assertIn("going on from", (self.out / "logs/rods-seed-1.log").read_text())
         self.assertEqual(set(ensemble(self.out)["cases"]), {"spheres", "rods"})
 
+    def programs_with(self, name, script):
+        """The programs, one of them replaced by a script."""
+        folder = self.folder / "bin"
+        folder.mkdir()
+        for program in ("liggghts", "rodpack"):
+            (folder / program).symlink_to((PROGRAMS / program).resolve())
+        (folder / name).unlink()
+        (folder / name).write_text(f"#!/bin/sh\n{script}\n")
+        (folder / name).chmod(0o755)
+        return {**os.environ, "RODPACK_BIN": str(folder), "PROGRESS_S": "0.5"}
+
+    def test_an_analysis_that_fails_is_reported(self):
+        self.write_table(SMALL + CASES)
+        script = f"case $2 in *rods*) echo 'rodpack: no' >&2; exit 1 ;; esac\nexec {PROGRAMS}/rodpack \"$@\""
+        self.environment = lambda made=self.programs_with("rodpack", script): made
+        printed = self.run_study("--runs-only", expect=1)
+        self.assertIn("FAILED rods seed 1: analysis: rodpack: no", printed)
+        self.assertTrue((self.run_folder("spheres", 1) / "analysis" / "summary.json").exists())
+        del self.environment
+        self.run_study("--runs-only")
+        self.assertEqual(self.started(), {"spheres-seed-1": 1, "rods-seed-1": 1})
+
+    def test_a_run_that_is_killed_is_reported_and_the_others_go_on(self):
+        # As for want of memory: the rods alone, in the middle.
+        self.write_table(SMALL + CASES)
+        script = (
+            f'case "$*" in *rods*) {PROGRAMS}/liggghts "$@" & sleep 0.3; kill -9 $!; wait $! ;;\n'
+            f'*) exec {PROGRAMS}/liggghts "$@" ;; esac'
+        )
+        self.environment = lambda made=self.programs_with("liggghts", script): made
+        printed = self.run_study("--no-report", expect=1)
+        self.assertIn("FAILED rods seed 1: stopped, exit status 137", printed)
+        self.assertEqual(self.result("spheres", 1)["particles"], 30)
+        del self.environment
+        self.run_study("--no-report")
+        self.assertEqual(set(ensemble(self.out)["cases"]), {"spheres", "rods"})
+
+    def test_an_ensemble_that_fails_is_reported(self):
+        self.write_table(SMALL + CASES)
+        script = f"[ $1 = ensemble ] && echo 'rodpack: no' >&2 && exit 1\nexec {PROGRAMS}/rodpack \"$@\""
+        self.environment = lambda made=self.programs_with("rodpack", script): made
+        printed = self.run_study("--no-report", expect=1)
+        self.assertIn(f"FAILED: rodpack: no (log: {self.out / 'logs' / 'ensemble.log'})", printed)
+
     def test_a_restart_file_that_was_cut_off_is_not_used(self):
         self.write_table(SMALL + "cases:\n  rods: {aspect_ratio: 3, keep_restarts: all}\n")
         self.run_study("--runs-only")
