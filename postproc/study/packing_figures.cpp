@@ -3,9 +3,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "figures/picture_sheet.h"
+#include "figures/packings/picture_sheet.h"
 #include "figures/render.h"
-#include "figures/voids_figure.h"
+#include "figures/packings/voids_figure.h"
 #include "reading/number_text.h"
 #include "reading/run_folder.h"
 #include "study/study_case.h"

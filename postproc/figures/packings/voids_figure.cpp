@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "figures/voids_figure.h"
+#include "figures/packings/voids_figure.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_FIGURES_PICTURE_SHEET_H
-#define RODPACK_FIGURES_PICTURE_SHEET_H
+#ifndef RODPACK_FIGURES_PACKINGS_PICTURE_SHEET_H
+#define RODPACK_FIGURES_PACKINGS_PICTURE_SHEET_H
 
 #include <string>
 #include <vector>

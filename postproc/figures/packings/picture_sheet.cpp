@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "figures/picture_sheet.h"
+#include "figures/packings/picture_sheet.h"
 
 #include <algorithm>
 #include <regex>
