@@ -52,8 +52,8 @@ void draw_picture_sheet(const std::vector<SheetPicture>& pictures, int columns,
   const double whole_width = columns * width + (columns - 1) * gap;
   const double whole_height = rows * (height + 1.6 * title) + (rows - 1) * gap;
   Drawing sheet;
-  sheet.raw("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1600\" height=\"" +
-            Drawing::at(std::ceil(1600 * whole_height / whole_width)) + "\" viewBox=\"0 0 " +
+  sheet.raw("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1280\" height=\"" +
+            Drawing::at(std::ceil(1280 * whole_height / whole_width)) + "\" viewBox=\"0 0 " +
             Drawing::at(whole_width) + " " + Drawing::at(whole_height) +
             "\" font-family=\"DejaVu Sans, sans-serif\" fill=\"#202020\">");
   sheet.rectangle(0, 0, whole_width, whole_height, "fill=\"#ffffff\"");

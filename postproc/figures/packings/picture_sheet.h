@@ -12,7 +12,7 @@ struct SheetPicture {
   std::string stem, title;
 };
 
-/// Sets pictures of one size side by side, `columns` in a row: `stem`.svg and `stem`.png, 1600
+/// Sets pictures of one size side by side, `columns` in a row: `stem`.svg and `stem`.png, 1280
 /// pixels wide. @throws DataError when a picture is not an SVG of ours or a file cannot be written.
 void draw_picture_sheet(const std::vector<SheetPicture>& pictures, int columns,
                         const std::string& stem);
