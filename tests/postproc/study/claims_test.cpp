@@ -8,6 +8,7 @@
 
 #include "reading/text_file.h"
 #include "study/claims/claim_groups.h"
+#include "liggghts_run.h"
 #include "synthetic_study.h"
 
 namespace {
@@ -153,12 +154,13 @@ TEST(Claims, DepthsThatNotAllBedsReachAreLeftOut) {
 
 TEST(Claims, FilesHaveARowEach) {
   const auto claims = test_claims(study_of_claims(1).ensemble);
-  write_claims(claims, testing::TempDir());
-  const auto json = nlohmann::json::parse(read_text(testing::TempDir() + "/claims.json"));
+  const auto folder = test::fresh_folder().string();
+  write_claims(claims, folder);
+  const auto json = nlohmann::json::parse(read_text(folder + "/claims.json"));
   ASSERT_EQ(json["claims"].size(), claims.size());
   EXPECT_EQ(json["claims"][0]["verdict"], "holds");
   EXPECT_NEAR(json["claims"][0]["value"].get<double>(), 0.02, 1e-9);
-  const auto csv = read_text(testing::TempDir() + "/claims.csv");
+  const auto csv = read_text(folder + "/claims.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<long>(claims.size()) + 1);
   EXPECT_THAT(csv, HasSubstr("\nsolid_fraction_falls_with_AR_coarse,The solid fraction of coarse"));
 }

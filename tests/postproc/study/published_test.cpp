@@ -8,13 +8,14 @@
 
 #include "reading/data_error.h"
 #include "reading/text_file.h"
+#include "liggghts_run.h"
 
 namespace {
 using namespace rodpack;
 using testing::HasSubstr;
 
 std::string file_with(const std::string& rows) {
-  const auto file = testing::TempDir() + "/published.csv";
+  const auto file = (test::fresh_folder() / "published.csv").string();
   write_text(file, "case,quantity,value,error,source\n" + rows);
   return file;
 }
@@ -111,7 +112,7 @@ TEST(Published, SingleRunHasNoCombinedError) {
 
 TEST(Published, TableHasBothAveragesBesideTheValue) {
   const auto values = read_published(file_with("coarse-AR2,solid_fraction,0.87,0.0021,a\n"), {});
-  const auto stem = testing::TempDir() + "/table2";
+  const auto stem = (test::fresh_folder() / "table2").string();
   ASSERT_TRUE(write_solid_fraction_table(ensemble_of("coarse-AR2", 0.86, 0.003), values, stem));
   const auto csv = read_text(stem + ".csv");
   EXPECT_THAT(csv, HasSubstr("\ncoarse-AR2,solid_fraction,3 omega above the floor to the surface,"

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "reading/text_file.h"
+#include "liggghts_run.h"
 #include "synthetic_study.h"
 
 namespace {
@@ -13,13 +14,6 @@ using namespace rodpack;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
-
-std::string new_folder(const std::string& name) {
-  const auto folder = fs::path(testing::TempDir()) / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder.string();
-}
 
 TEST(StudyCase, NamesSayWhatTheCasesAre) {
   const auto curved = study_case("curved-AR5-theta60");
@@ -35,7 +29,7 @@ TEST(StudyCase, NamesSayWhatTheCasesAre) {
 }
 
 TEST(StudyFigures, AreDrawnFromTheCasesThereAre) {
-  const auto out = new_folder("study_figures");
+  const auto out = test::fresh_folder().string();
   const auto figures = draw_study_figures(study_of_claims(1).ensemble, out, out);
   EXPECT_GE(figures.size(), 13U);
   for (const auto& figure : figures) {
@@ -56,7 +50,7 @@ TEST(StudyFigures, AreDrawnFromTheCasesThereAre) {
 }
 
 TEST(StudyFigures, OfNoCasesAreNotDrawnAndSayWhy) {
-  const auto out = new_folder("study_figures_none");
+  const auto out = test::fresh_folder().string();
   for (const auto& figure : draw_study_figures({}, out, out)) {
     EXPECT_THAT(figure.not_drawn, HasSubstr("no ")) << figure.name;
     EXPECT_FALSE(fs::exists(out + "/" + figure.name + ".png"));
@@ -68,7 +62,7 @@ TEST(StudyFigures, SingleRunsAreDrawnWithoutErrors) {
   study.orientation("smooth-AR5", [](double) { return 1.0; });
   for (auto& value : study.ensemble.cases[0].curves["orientation.probability_density_per_deg"].y)
     value = {value.mean, std::nullopt, 1};
-  const auto out = new_folder("study_figures_single");
+  const auto out = test::fresh_folder().string();
   EXPECT_EQ(draw_orientation(study.ensemble, out).not_drawn, "");
   EXPECT_TRUE(fs::exists(out + "/fig3_orientation.svg"));
 }
