@@ -215,11 +215,11 @@ Study read_study(const std::string& folder) {
   const auto file = results / "ensemble.json";
   if (!fs::exists(file))
     throw DataError(file.string() + ": no such file; \"rodpack ensemble " + folder + "\" makes it");
-  Study study;
-  study.folder = folder;
-  study.results = results.string();
-  study.ensemble = read_ensemble(file.string());
-  study.table = json_if_there(root / "cases.json");
+  Study study{folder,
+              results.string(),
+              json_if_there(root / "cases.json"),
+              read_ensemble(file.string()),
+              {}};
   for (const auto& one : study.ensemble.cases)
     for (std::size_t k = 0; k < one.runs.size(); ++k)
       study.runs.push_back(read_run(one.name, k < one.seeds.size() ? one.seeds[k] : 0,
