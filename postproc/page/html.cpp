@@ -113,8 +113,8 @@ std::string measured_html(double mean, std::optional<double> standard_error, dou
   const double unit = std::pow(10.0, exponent);
   const int decimals =
       std::clamp(1 - static_cast<int>(std::floor(std::log10(error / unit))), 0, 12);
-  const std::string both = data(mean, with_decimals(value / unit, decimals)) + "\u00a0±\u00a0" +
-                           data(*standard_error, with_decimals(error / unit, decimals));
+  std::string both = data(mean, with_decimals(value / unit, decimals)) + "\u00a0±\u00a0" +
+                     data(*standard_error, with_decimals(error / unit, decimals));
   if (exponent == 0) return both;
   return "(" + both + ")\u00a0×\u00a010<sup>" + (exponent < 0 ? minus : "") +
          std::to_string(std::abs(exponent)) + "</sup>";

@@ -108,7 +108,7 @@ std::string write_run_page(const std::string& run_folder) {
       {"notes", "What was left out, and why",
        notes.empty() ? "<p>Nothing: all measures were possible.</p>\n" : notes_html(notes)},
       {"parameters", "Parameters of the run", values_table(parameters_of(parameters), "")}};
-  const auto file = (analysis / "report.html").string();
+  auto file = (analysis / "report.html").string();
   write_text(file, page_html(page));
   return file;
 }

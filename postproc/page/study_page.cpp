@@ -61,7 +61,7 @@ std::string write_study_page(const std::string& folder) {
       {"cost", "Cost", cost_html(study)},
       {"notes", "What was left out, and why",
        notes.empty() ? "<p>Nothing.</p>\n" : notes_html(notes)}};
-  const auto file = (fs::path(folder) / "report.html").string();
+  auto file = (fs::path(folder) / "report.html").string();
   write_text(file, page_html(page));
   return file;
 }

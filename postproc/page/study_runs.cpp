@@ -95,6 +95,12 @@ std::vector<long> missing_seeds(const Study& study, const std::string& name,
   return missing;
 }
 
+// MPI ranks per run; none where cases.json does not tell.
+std::string ranks_cell(const Study& study, const std::string& name) {
+  if (!study.table.contains("cases") || !study.table["cases"].contains(name)) return "–";
+  return cell(study.table["cases"][name].value("ranks", Json()));
+}
+
 HtmlTable cases_table(const Study& study) {
   HtmlTable table;
   const auto columns = columns_of(study);
@@ -107,13 +113,14 @@ HtmlTable cases_table(const Study& study) {
       return !value_of(one, column).is_string();
     }));
   }
-  table.header.insert(table.header.end(), {"Repetitions", "Seeds"});
-  table.numeric.insert(table.numeric.end(), {true, false});
+  table.header.insert(table.header.end(), {"MPI ranks", "Repetitions", "Seeds"});
+  table.numeric.insert(table.numeric.end(), {true, true, false});
   std::set<std::string> named;
   for (const auto& one : study.ensemble.cases) {
     named.insert(one.name);
     std::vector<std::string> row{name_html(one.name)};
     for (const auto& column : columns) row.push_back(cell(value_of(one, column)));
+    row.push_back(ranks_cell(study, one.name));
     row.push_back(std::to_string(one.runs.size()));
     std::string seeds = seeds_text(one.seeds);
     if (study.table.contains("cases") && study.table["cases"].contains(one.name)) {
@@ -130,7 +137,8 @@ HtmlTable cases_table(const Study& study) {
         std::vector<std::string> row{name_html(name)};
         for (const auto& column : columns)
           row.push_back(cell(planned.value("parameters", Json::object()).value(column, Json())));
-        row.insert(row.end(), {"0", "<span class=\"missing\">all missing</span>"});
+        row.insert(row.end(),
+                   {ranks_cell(study, name), "0", "<span class=\"missing\">all missing</span>"});
         table.rows.push_back(row);
       }
   return table;
@@ -207,11 +215,11 @@ Study read_study(const std::string& folder) {
   const auto file = results / "ensemble.json";
   if (!fs::exists(file))
     throw DataError(file.string() + ": no such file; \"rodpack ensemble " + folder + "\" makes it");
-  Study study;
-  study.folder = folder;
-  study.results = results.string();
-  study.ensemble = read_ensemble(file.string());
-  study.table = json_if_there(root / "cases.json");
+  Study study{folder,
+              results.string(),
+              json_if_there(root / "cases.json"),
+              read_ensemble(file.string()),
+              {}};
   for (const auto& one : study.ensemble.cases)
     for (std::size_t k = 0; k < one.runs.size(); ++k)
       study.runs.push_back(read_run(one.name, k < one.seeds.size() ? one.seeds[k] : 0,

@@ -59,8 +59,9 @@ TEST(CommandLine, SaysItsVersionAndCommit) {
 
 TEST(CommandLine, HelpTeachesWithAnExampleAndSucceeds) {
   EXPECT_EQ(rodpack_command("--help").exit_code, 0);
-  for (const std::string name : {"orientation", "rdf", "forces", "render", "stress",
-                                 "solid-fraction", "profile", "export", "analyse", "ensemble"}) {
+  for (const std::string name :
+       {"orientation", "rdf", "forces", "render", "stress", "solid-fraction", "profile", "export",
+        "analyse", "report", "ensemble"}) {
     const auto run = rodpack_command(name + " --help");
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_THAT(run.output, HasSubstr("Example"));

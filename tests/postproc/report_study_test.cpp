@@ -63,7 +63,7 @@ fs::path write_study(const fs::path& folder) {
   rodpack::write_ensemble(ensemble, (folder / "ensemble").string());
   put(folder / "cases.json",
       R"({"format": "rodpack-study 1", "title": "A <small> study", "columns": ["surface", "aspect_ratio"],
-          "cases": {"smooth-AR5": {"seeds": [1, 3]}, "a<b>&'c": {"seeds": [1, 2]},
+          "cases": {"smooth-AR5": {"seeds": [1, 3], "ranks": 16}, "a<b>&'c": {"seeds": [1, 2]},
                     "smooth-AR7": {"seeds": [1], "parameters": {"aspect_ratio": 7}}}})");
   for (const long seed : {1, 3})
     write_run(folder / "runs" / "smooth-AR5" / ("seed-" + std::to_string(seed)),
@@ -127,6 +127,7 @@ TEST(StudyPage, HoldsCasesNumbersClaimsFiguresPackingsAndCost) {
   EXPECT_THAT(html, Not(HasSubstr("packing-2")));
   EXPECT_THAT(html, HasSubstr("missing: 2"));
   EXPECT_THAT(html, HasSubstr("all missing"));
+  EXPECT_TRUE(numbers.count(16));
 }
 
 TEST(StudyPage, FiguresStandInTheListsOrderThenByNumberEachAsItsSmallerFile) {
