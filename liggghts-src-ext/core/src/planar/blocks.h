@@ -71,16 +71,18 @@ class PlanarBlockPool {
   /// Offset of the velocities k steps back among a block's numbers; `aged`: as it will be when
   /// they have aged by one more step.
   int velocity(int k, bool aged = false) const {
-    return planar_velocities + ring_index(k - ahead_ - (aged ? 1 : 0)) * planar_row;
+    int row = front_ + k - (aged ? 1 : 0);
+    if (row < 0)
+      row += slots_;
+    else if (row >= slots_)
+      row -= slots_;
+    return planar_velocities + row * planar_row;
   }
   /// Makes the velocities so many steps older.
-  void age(int steps) {
-    newest_ = ring_index(-steps);
-    ahead_ = 0;
-  }
+  void age(int steps) { front_ = newest_ = ring_index(-steps); }
   /// Until they age, velocities are counted from so many steps after the last one: a part of
   /// the bodies may be some steps ahead of others.
-  void look_ahead(int steps) { ahead_ = steps; }
+  void look_ahead(int steps) { front_ = ring_index(-steps); }
   /// Sets what the SIMD loop needs to evaluate the blocks of a part.
   void set_arguments(int part, PlanarForceArguments& forces);
   /// Tangential velocities that a contact remembers.
@@ -132,7 +134,9 @@ class PlanarBlockPool {
   };
   std::vector<EarlyHole> early_holes_;  // among the sorted blocks, in the order of parts
   std::vector<int> holes_;              // behind them
-  int newest_ = 0, ahead_ = 0, filled_ = 0;
+  int newest_ = 0;                      // row of the ring buffer of velocities
+  int front_ = 0;                       // the row from which they are counted
+  int filled_ = 0;
   int sorted_ = 0;                                      // places of sorted blocks, whole groups
   std::vector<int> ends_of_touching_, ends_of_others_;  // of each part; the last one: its own
 
