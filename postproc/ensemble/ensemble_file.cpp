@@ -111,7 +111,7 @@ EnsembleCase case_from(const std::string& name, const Json& json) {
   read_numbers(json, one);
   for (const auto& [table, columns] : json.at("curves").items())
     for (const auto& [column, curve] : columns.items())
-      one.curves[table + "." + column] = curve_from(curve);
+      one.curves[std::string(table).append(".").append(column)] = curve_from(curve);
   return one;
 }
 

@@ -52,9 +52,9 @@ struct Placed {
   }
   /// A pair far from all others, turned by `turn` as a whole; each row holds 19 of them.
   void add_pair(const PairConfiguration& pair, double turn) {
-    const auto n = particles.size() / 2;
+    const auto n = particles.size() / 2, row = n / 19;
     const double x = 20 + 20 * static_cast<double>(n % 19);
-    const double y = 20 + 20 * static_cast<double>(n / 19);
+    const double y = 20 + 20 * static_cast<double>(row);
     const double c = std::cos(turn), s = std::sin(turn);
     particles.push_back({{x, y, turn}});
     particles.push_back({{x + c * pair.along - s * pair.across,

@@ -26,7 +26,8 @@ class SyntheticStudy {
     const double range = curved ? 360 : 180;
     auto& curve = one(name).curves["orientation.probability_density_per_deg"];
     curve = {};
-    for (double g = 0; g < range; g += 5) {
+    for (int bin = 0; 5 * bin < range; ++bin) {
+      const double g = 5 * bin;
       curve.x.push_back(g);
       const double value = shape(g * std::acos(-1.0) / 180) / range;
       curve.y.push_back({value, 0.03 / range, 5});
@@ -78,9 +79,8 @@ inline SyntheticStudy study_of_claims(double sign) {
   const double rise[] = {0, 1, 3, 5};
   const int ratios[] = {2, 3, 5, 7};
   for (int k = 0; k < 4; ++k) {
-    const std::string ratio = std::to_string(ratios[k]);
     for (const std::string surface : {"coarse", "smooth"}) {
-      const std::string name = surface + "-AR" + ratio;
+      const std::string name = std::string(surface).append("-AR").append(std::to_string(ratios[k]));
       const bool coarse = surface == "coarse";
       study.number(name, "solid_fraction", 0.85 - 0.02 * sign * rise[k], 0.001);
       // Harmonics 12 stand for discrete angles; the second one for lying flat.
