@@ -82,6 +82,7 @@ void fit_x_high(PanelSheet& sheet) {
   for (const auto& panel : sheet.panels)
     for (const auto& series : panel.series)
       for (const double x : series.x) sheet.x_high = std::max(sheet.x_high, x);
+  sheet.x_tics = number_text(round_step((sheet.x_high - sheet.x_low) / 3));  // numbers keep apart
 }
 
 StudyFigure finish(StudyFigure figure, const PanelSheet& sheet, const std::string& out,

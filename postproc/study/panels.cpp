@@ -165,7 +165,7 @@ std::string key_plot(const std::vector<const Series*>& key, const Layout& layout
                      "\nset tmargin at screen 1\nunset border\nunset tics\nset xrange [0:1]\n"
                      "set yrange [0:1]\nset key center center horizontal maxrows " +
                      std::to_string(layout.key_rows) +
-                     (marks ? " samplen 1.4 width -2" : " width 1") + " Left reverse\n";
+                     (marks ? " samplen 1.4 width -1" : " width 1") + " Left reverse\n";
   std::string parts;
   for (const auto* series : key)
     parts +=
