@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "ensemble/interpolation.h"
+#include "ensemble/mean_columns.h"
 #include "ensemble/statistics.h"
 #include "reading/csv_file.h"
 #include "reading/data_error.h"
@@ -14,8 +14,6 @@
 namespace rodpack {
 namespace {
 namespace fs = std::filesystem;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The map of one run.
 struct RunField {
@@ -85,19 +83,6 @@ std::vector<EnsembleMean> mean_map(const std::vector<std::optional<RunField>>& r
   return means;
 }
 
-void add_columns(const std::string& name, const std::vector<EnsembleMean>& means,
-                 std::vector<std::pair<std::string, std::vector<double>>>& table) {
-  std::vector<double> mean, sem, n;
-  for (const auto& each : means) {
-    mean.push_back(each.mean);
-    sem.push_back(each.sem.value_or(none));
-    n.push_back(each.n);
-  }
-  table.emplace_back(name, std::move(mean));
-  table.emplace_back(name + "_sem", std::move(sem));
-  table.emplace_back(name + "_n", std::move(n));
-}
-
 std::vector<EnsembleMean> means_from(const Table& table, const std::string& name) {
   const auto &mean = table.column(name), &sem = table.column(name + "_sem");
   const auto n = table.whole_numbers(name + "_n");
@@ -126,14 +111,14 @@ std::optional<EnsembleField> mean_field(const CaseRuns& one) {
 }
 
 void write_ensemble_field(const EnsembleField& field, const std::string& file) {
-  std::vector<std::pair<std::string, std::vector<double>>> table = {{"x_m", {}}, {"y_m", {}}};
+  CsvColumns table = {{"x_m", {}}, {"y_m", {}}};
   for (const double y : field.y)
     for (const double x : field.x) {
       table[0].second.push_back(x);
       table[1].second.push_back(y);
     }
-  add_columns("solid_fraction", field.solid_fraction, table);
-  if (!field.pressure.empty()) add_columns("pressure_N_m", field.pressure, table);
+  add_mean_columns("solid_fraction", field.solid_fraction, table);
+  if (!field.pressure.empty()) add_mean_columns("pressure_N_m", field.pressure, table);
   write_csv(file, table);
 }
 

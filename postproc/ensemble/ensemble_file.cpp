@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ensemble/ensemble.h"
+#include "ensemble/mean_columns.h"
 #include "reading/csv_file.h"
 #include "reading/data_error.h"
 #include "reading/json_file.h"
@@ -131,21 +132,13 @@ void remove_tables_of_before(const fs::path& folder) {
 
 // One CSV table per measured table: the abscissa, then mean, standard error and n of each column.
 void write_tables(const EnsembleCase& one, const fs::path& folder) {
-  std::map<std::string, std::vector<std::pair<std::string, std::vector<double>>>> tables;
+  std::map<std::string, CsvColumns> tables;
   for (const auto& [name, curve] : one.curves) {
     const auto dot = name.find('.');
     const std::string column = name.substr(dot + 1);
     auto& table = tables[name.substr(0, dot)];
     if (table.empty()) table.emplace_back(curve.abscissa, curve.x);
-    std::vector<double> mean, sem, n;
-    for (const auto& y : curve.y) {
-      mean.push_back(y.mean);
-      sem.push_back(y.sem.value_or(none));
-      n.push_back(y.n);
-    }
-    table.emplace_back(column, std::move(mean));
-    table.emplace_back(column + "_sem", std::move(sem));
-    table.emplace_back(column + "_n", std::move(n));
+    add_mean_columns(column, curve.y, table);
   }
   for (const auto& [name, columns] : tables)
     write_csv((folder / (one.name + "_" + name + ".csv")).string(), columns);

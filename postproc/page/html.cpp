@@ -42,9 +42,7 @@ std::string without_error(double value, double factor) {
 }
 
 std::string with_decimals(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return typeset(text);
+  return typeset(fixed_text(value, decimals));
 }
 
 }  // namespace

@@ -12,6 +12,12 @@ std::string number_text(double value, int significant_digits) {
   return buffer;
 }
 
+std::string fixed_text(double value, int decimals) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
+  return buffer;
+}
+
 ScaledUnit scaled_unit(double typical_value, const std::string& unit) {
   const struct {
     double size;

@@ -9,6 +9,9 @@ namespace rodpack {
 /// Writes `value` with the given number of significant digits, shortest form ("0.25", "1e-09").
 std::string number_text(double value, int significant_digits = 10);
 
+/// Writes `value` with so many digits after the point, zeros too ("0.250").
+std::string fixed_text(double value, int decimals);
+
 /// A value in a unit with an SI prefix that keeps it readable, e.g. 2.3e-3 N: factor 1e3, "mN".
 struct ScaledUnit {
   double factor;     // multiply the SI value with this

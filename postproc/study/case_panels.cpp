@@ -8,6 +8,19 @@
 
 namespace rodpack {
 
+PanelSheet sheet_of_one(const std::string& x_label, const std::string& y_label,
+                        const std::string& x_tics) {
+  PanelSheet sheet;
+  sheet.x_label = x_label;
+  sheet.y_label = y_label;
+  sheet.x_tics = x_tics;
+  sheet.y_low.reset();
+  sheet.columns = 1;
+  sheet.panel_width = 40;
+  sheet.panel_aspect = 1.4;
+  return sheet;
+}
+
 std::string aspect_ratio_title(double aspect_ratio) {
   return "AR = " + number_text(aspect_ratio, 4);
 }

@@ -15,8 +15,9 @@ namespace rodpack {
 
 using SeriesOfCase = std::function<Series(const EnsembleCase&)>;
 
-/// The surface of straight particles.
-inline Surface surface_of(bool coarse) { return coarse ? Surface::coarse : Surface::smooth; }
+/// A sheet of one panel: a number of cases over `x_label`, with tics `x_tics` apart.
+PanelSheet sheet_of_one(const std::string& x_label, const std::string& y_label,
+                        const std::string& x_tics);
 
 /// "AR = 5".
 std::string aspect_ratio_title(double aspect_ratio);

@@ -82,11 +82,9 @@ EnsembleMean mean_pressure(const EnsembleCase& each, double from, double to) {
 
 PressureOverTheta pressure_over_theta(const Ensemble& ensemble, double aspect_ratio) {
   PressureOverTheta result;
-  std::vector<double> angles{0};
-  for (const double theta : opening_angles(ensemble, aspect_ratio)) angles.push_back(theta);
   std::vector<const EnsembleCase*> cases;
   result.to = std::numeric_limits<double>::infinity();
-  for (const double theta : angles) {
+  for (const double theta : angles_from_straight(ensemble, aspect_ratio)) {
     const auto* each = curved_case(ensemble, aspect_ratio, theta);
     const auto depth = usable_depth(each);
     if (!depth) continue;

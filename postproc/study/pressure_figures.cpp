@@ -78,14 +78,8 @@ StudyFigure draw_curved_pressure(const Ensemble& ensemble, const std::string& ou
 }
 
 StudyFigure draw_pressure_over_theta(const Ensemble& ensemble, const std::string& out) {
-  PanelSheet sheet;
-  sheet.x_label = "opening angle {/:Italic θ} (°)";
-  sheet.y_label = "mean pressure {/:Italic P}_0 (N/m)";
-  sheet.x_tics = "30";
-  sheet.columns = 1;
-  sheet.panel_width = 40;
-  sheet.panel_aspect = 1.4;
-  sheet.y_low.reset();
+  PanelSheet sheet =
+      sheet_of_one("opening angle {/:Italic θ} (°)", "mean pressure {/:Italic P}_0 (N/m)", "30");
   Panel panel;
   std::size_t place = 0;
   for (const double aspect_ratio : aspect_ratios(ensemble, true)) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "reading/number_text.h"
@@ -11,12 +10,6 @@
 
 namespace rodpack {
 namespace {
-
-std::string fixed_text(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 Series rdf_series(const EnsembleCase& each) { return curve_series(each, "rdf.g"); }
 

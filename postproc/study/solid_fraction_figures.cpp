@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "figures/figure.h"
-#include "reading/number_text.h"
 #include "study/case_panels.h"
 #include "study/published.h"
 
@@ -33,36 +32,26 @@ Series published_series(const std::vector<PublishedValue>& published, Surface su
 }  // namespace
 
 StudyFigure draw_solid_fraction_over_theta(const Ensemble& ensemble, const std::string& out) {
-  StudyFigure figure{"fig6a_solid_fraction_over_theta", "Fig. 6a",
-                     "Mean solid fraction (central slice, from 3ω above the floor to the surface) "
-                     "of curved particles over the opening angle of their arc; 0°: straight, "
-                     "smooth. Mean and standard error over the repetitions.",
-                     ""};
-  PanelSheet sheet;
-  sheet.x_label = "opening angle {/:Italic θ} (°)";
-  sheet.y_label = "solid fraction {/:Italic φ}";
-  sheet.x_tics = "30";
-  sheet.y_low.reset();
-  sheet.columns = 1;
-  sheet.panel_width = 40;
-  sheet.panel_aspect = 1.4;
+  PanelSheet sheet =
+      sheet_of_one("opening angle {/:Italic θ} (°)", "solid fraction {/:Italic φ}", "30");
   Panel panel;
   std::size_t place = 0;
   for (const double aspect_ratio : aspect_ratios(ensemble, true)) {
     Series series = with_look_of_place({}, ++place);
-    series.title = "AR = " + number_text(aspect_ratio, 4);
-    auto angles = opening_angles(ensemble, aspect_ratio);
-    angles.insert(angles.begin(), 0);
-    for (const double theta : angles)
+    series.title = aspect_ratio_title(aspect_ratio);
+    for (const double theta : angles_from_straight(ensemble, aspect_ratio))
       if (const auto* mean = number_of(curved_case(ensemble, aspect_ratio, theta), solid_fraction))
         add_point(series, theta, *mean);
     panel.series.push_back(series);
   }
   sheet.panels.push_back(panel);
   fit_x(sheet);
-  if (!draw_panels(sheet, out + "/" + figure.name))
-    figure.not_drawn = "no curved case has a solid fraction";
-  return figure;
+  return finish({"fig6a_solid_fraction_over_theta", "Fig. 6a",
+                 "Mean solid fraction (central slice, from 3ω above the floor to the surface) "
+                 "of curved particles over the opening angle of their arc; 0°: straight, "
+                 "smooth. Mean and standard error over the repetitions.",
+                 ""},
+                sheet, out, "no curved case has a solid fraction");
 }
 
 StudyFigure draw_solid_fraction_over_aspect_ratio(const Ensemble& ensemble,
@@ -74,14 +63,7 @@ StudyFigure draw_solid_fraction_over_aspect_ratio(const Ensemble& ensemble,
                      "published values (shifted to the right). The table in table2.csv and .md has "
                      "the mean up to 3ω below the surface too.",
                      ""};
-  PanelSheet sheet;
-  sheet.x_label = "aspect ratio AR";
-  sheet.y_label = "solid fraction {/:Italic φ}";
-  sheet.x_tics = "1";
-  sheet.y_low.reset();
-  sheet.columns = 1;
-  sheet.panel_width = 40;
-  sheet.panel_aspect = 1.4;
+  PanelSheet sheet = sheet_of_one("aspect ratio AR", "solid fraction {/:Italic φ}", "1");
   Panel panel;
   bool any = false;
   for (const bool coarse : {true, false}) {

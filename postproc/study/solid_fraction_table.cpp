@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
-#include <cstdio>
 
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
@@ -12,12 +11,6 @@ namespace {
 
 const char* const to_surface = "solid_fraction";
 const char* const below_surface = "solid_fraction_to_3_omega_below_surface";
-
-std::string fixed(double value, int decimals) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 std::string optional_text(const std::optional<double>& value) {
   return value ? number_text(*value, 6) : "";
@@ -37,14 +30,14 @@ std::string csv_row(const PublishedComparison& row) {
 }
 
 std::string measured_text(const EnsembleMean& mean) {
-  return fixed(mean.mean, 4) + (mean.sem ? " ± " + fixed(*mean.sem, 4) : "");
+  return fixed_text(mean.mean, 4) + (mean.sem ? " ± " + fixed_text(*mean.sem, 4) : "");
 }
 
 std::string deviation_text(const PublishedComparison& row) {
   if (!row.published) return "";
   const auto deviation = row.deviation();
-  return (row.difference < 0 ? "−" : "+") + fixed(std::fabs(row.difference), 4) +
-         (deviation ? " (" + fixed(std::fabs(*deviation), 1) + " σ)" : " (one run: no error)");
+  return (row.difference < 0 ? "−" : "+") + fixed_text(std::fabs(row.difference), 4) +
+         (deviation ? " (" + fixed_text(std::fabs(*deviation), 1) + " σ)" : " (one run: no error)");
 }
 
 // The other average of the same case and published value.

@@ -64,6 +64,12 @@ std::vector<double> opening_angles(const Ensemble& ensemble, double aspect_ratio
       [](const StudyCase& each) { return each.theta; });
 }
 
+std::vector<double> angles_from_straight(const Ensemble& ensemble, double aspect_ratio) {
+  auto angles = opening_angles(ensemble, aspect_ratio);
+  angles.insert(angles.begin(), 0);
+  return angles;
+}
+
 const EnsembleCase* straight_case(const Ensemble& ensemble, Surface surface, double aspect_ratio) {
   return find_case(ensemble, surface, aspect_ratio, 0);
 }

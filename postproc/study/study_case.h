@@ -12,6 +12,9 @@ namespace rodpack {
 
 enum class Surface { sphere, coarse, smooth };
 
+/// The surface of straight particles.
+inline Surface surface_of(bool coarse) { return coarse ? Surface::coarse : Surface::smooth; }
+
 /// What the name of one of the paper's cases says: "spheres", "coarse-AR2", "curved-AR5-theta60"
 /// (curved particles are smooth), and a case of the sensitivity to a parameter, "smooth-AR5-mu0.1".
 struct StudyCase {
@@ -29,6 +32,9 @@ std::vector<double> aspect_ratios(const Ensemble& ensemble, bool curved);
 
 /// Opening angles of the curved cases of that aspect ratio, degrees, ascending.
 std::vector<double> opening_angles(const Ensemble& ensemble, double aspect_ratio);
+
+/// The same after 0, which stands for the straight smooth case.
+std::vector<double> angles_from_straight(const Ensemble& ensemble, double aspect_ratio);
 
 /// Finds the case of spheres, or of straight particles of that surface; null when there is none.
 const EnsembleCase* straight_case(const Ensemble& ensemble, Surface surface, double aspect_ratio);

@@ -14,8 +14,6 @@ const char* const distribution = "orientation.probability_density_per_deg";
 // A relative departure, root mean square over the angles, that nobody would see in a figure.
 constexpr double negligible = 0.05;
 
-Surface surface_of(bool coarse) { return coarse ? Surface::coarse : Surface::smooth; }
-
 // <cos 2 gamma>, 1 when all lie flat and 0 when isotropic, of the mean distribution. Its error is
 // that of the nematic order of the runs together, which is the same number when the director lies
 // flat.

@@ -18,8 +18,7 @@ Claim falls_with_aspect_ratio(const Ensemble& ensemble, bool coarse) {
   std::vector<EnsembleMean> means;
   for (const double aspect_ratio : aspect_ratios(ensemble, false)) {
     const auto* mean =
-        number_of(straight_case(ensemble, coarse ? Surface::coarse : Surface::smooth, aspect_ratio),
-                  solid_fraction);
+        number_of(straight_case(ensemble, surface_of(coarse), aspect_ratio), solid_fraction);
     if (!mean) continue;
     means.push_back(*mean);
     claim.remark += (claim.remark.empty() ? "" : ", ") + straight_name(coarse, aspect_ratio) + " " +
@@ -40,10 +39,9 @@ Claim falls_with_theta(const Ensemble& ensemble, double aspect_ratio) {
   claim.text = "Curvature lowers the solid fraction for AR = " + ratio;
   claim.measured = "fall of the solid fraction per degree of theta, by a straight line";
   claim.test = "slope over its standard error: Student's t around 0 if theta changes nothing";
-  std::vector<double> angles{0}, x;
-  for (const double theta : opening_angles(ensemble, aspect_ratio)) angles.push_back(theta);
+  std::vector<double> x;
   std::vector<EnsembleMean> means;
-  for (const double theta : angles) {
+  for (const double theta : angles_from_straight(ensemble, aspect_ratio)) {
     const auto* mean = number_of(curved_case(ensemble, aspect_ratio, theta), solid_fraction);
     if (!mean) continue;
     x.push_back(theta);
