@@ -12,30 +12,41 @@ import unittest
 from support import CASES, SMALL, StudyTest, ensemble_text
 
 KILLS = 20
-# Files that the study makes between two kills, at most: 20 times half of that are most of what it makes.
-MOST_FILES = 7
+PATTERNS = ("runs/*/*/restart/*", "runs/*/*/result.json", "runs/*/*/analysis/summary.json", "ensemble/*.json")
 
 
 class Interrupted(StudyTest):
+    def setUp(self):
+        super().setUp()
+        self.made = set()
+
     def start(self):
         return subprocess.Popen(
             self.command("--no-report"), env=self.environment(), stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL, start_new_session=True,
         )
 
-    def made(self):
-        """Files that tell how far the study is: restart files, results, summaries, the ensemble."""
-        patterns = ("runs/*/*/restart/*", "runs/*/*/result.json", "runs/*/*/analysis/summary.json", "ensemble/*.json")
-        return {file for pattern in patterns for file in self.out.glob(pattern)}
+    def progress(self):
+        """How far the study is: restart files, results, summaries, the ensemble that it has made so far."""
+        self.made |= {file for pattern in PATTERNS for file in self.out.glob(pattern)}
+        return len(self.made)
 
-    def kill_after(self, files, seconds):
-        """Starts the study and kills all of it when it has made so many files, and a while later."""
-        seen = self.made()
-        enough, end = len(seen) + files, time.time() + 60
+    def leave_alone(self):
+        """Makes the study without a kill. Returns seconds to its first file, to its end, and its files."""
+        begin, first = time.time(), None
         study = self.start()
-        while len(seen) < enough and study.poll() is None and time.time() < end:
-            time.sleep(0.01)
-            seen |= self.made()
+        while study.poll() is None:
+            time.sleep(0.005)
+            if self.progress() and first is None:
+                first = time.time()
+        self.assertEqual(study.returncode, 0)
+        return first - begin, time.time() - begin, self.progress()
+
+    def kill_at(self, files, seconds):
+        """Starts the study and kills all of it when it has made so many files, and a while later."""
+        study, end = self.start(), time.time() + 60
+        while self.progress() < files and study.poll() is None and time.time() < end:
+            time.sleep(0.005)
         time.sleep(seconds)
         # Snakemake, its steps, LIGGGHTS, the watch on progress.
         with contextlib.suppress(ProcessLookupError):  # it has ended in the while
@@ -52,15 +63,18 @@ class Interrupted(StudyTest):
         table = "repetitions: 2\n" + SMALL.replace("restart_interval: 0.1", "restart_interval: 0.05")
         self.write_table(table.replace("particles: 30", "particles: 60") + CASES)
         self.know_speed()
-        self.run_study("--no-report")
+        first, last, files = self.leave_alone()
         expected, whole = ensemble_text(self.out), self.out
-        self.out = self.folder / "killed"
+        self.out, self.made = self.folder / "killed", set()
         self.know_speed()
+        # Moments are shares of the study's progress, not seconds, so that they meet all of it on any machine.
         moments, met, killed = random.Random(2016), [], 0
-        for kill in range(KILLS):
+        shares = sorted(moments.uniform(0, 1) for kill in range(KILLS))
+        for kill, share in enumerate(shares):
             # Every fifth meets run.sh or Snakemake before they have begun.
-            files = moments.randrange(1, MOST_FILES) if kill % 5 else 0
-            killed += self.kill_after(files, moments.uniform(0, 0.1 if files else 3))
+            early = kill % 5 == 0
+            wait = moments.uniform(0, first) if early else moments.uniform(0, (last - first) / files)
+            killed += self.kill_at(0 if early else max(self.progress() + 1, round(share * files)), wait)
             met.append(self.state())
         self.run_study("--no-report")
         self.assertEqual(ensemble_text(self.out), expected)
