@@ -6,10 +6,11 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
-from support import CASES, DEPOSITION, PROGRAMS, SMALL, UNTIL_ENSEMBLE, StudyTest, ensemble
+from support import CASES, DEPOSITION, PROGRAMS, SMALL, UNTIL_ENSEMBLE, WORKFLOW, StudyTest, ensemble, ensemble_text
 
 
 class Workflow(StudyTest):
@@ -45,6 +46,7 @@ class Workflow(StudyTest):
         self.then_nothing_is_made_again(once)
         self.then_the_report_is_made(once)
         self.then_a_copy_counts_as_done(once)
+        self.then_an_archive_makes_the_same_ensemble()
         self.then_another_table_makes_what_it_changed(once)
 
     def then_nothing_is_made_again(self, once):
@@ -67,6 +69,37 @@ class Workflow(StudyTest):
         self.assertEqual(self.started(), {})
         self.assertEqual(ensemble(self.out), ensemble(original))
         self.out = original
+
+    def then_an_archive_makes_the_same_ensemble(self):
+        original, archive = self.out, self.folder / "runs.tar.xz"
+        self.assertIn("4 runs in", self.archive(original, archive))
+        self.assertLess(archive.stat().st_size, 4 * 30_000)
+        self.assertIn("exists, expected the name of a new file", self.archive(original, archive, expect=1))
+        self.out = self.folder / "unpacked"
+        self.know_speed()
+        subprocess.run(["tar", "xf", archive, "-C", self.out], check=True)
+        self.assertIn("4 done, 0 to go on, 0 to do", self.run_study(*UNTIL_ENSEMBLE))
+        self.assertEqual(self.started(), {})
+        self.assertEqual(ensemble_text(self.out), ensemble_text(original))
+        self.out = original
+
+    def test_what_is_no_study_is_not_archived(self):
+        self.out.mkdir(exist_ok=True)
+        printed = self.archive(self.out, self.folder / "a.tar.xz", expect=1)
+        self.assertIn(f"{self.out}/cases.json: no such file, expected the folder of a study", printed)
+        (self.out / "cases.json").write_text('{"cases": {"rods": {"seeds": [1]}}}')
+        self.assertIn("no run is finished", self.archive(self.out, self.folder / "a.tar.xz", expect=1))
+        self.assertIn("expected OUT FILE.tar.xz", self.archive(self.out, self.folder / "a.zip", expect=1))
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["out"])
+
+    def archive(self, out, file, expect=0):
+        """Runs archive.py. Returns what it printed."""
+        done = subprocess.run(
+            [sys.executable, str(WORKFLOW / "archive.py"), str(out), str(file)], stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True,
+        )
+        self.assertEqual(done.returncode, expect, done.stdout)
+        return done.stdout
 
     def then_another_table_makes_what_it_changed(self, once):
         # Friction of the rods is another, spheres have one repetition, a case is new.
