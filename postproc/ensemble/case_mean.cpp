@@ -9,6 +9,7 @@
 
 #include "analysis/janssen_fit.h"
 #include "ensemble/case_curves.h"
+#include "ensemble/mean_profile.h"
 #include "ensemble/run_analysis.h"
 #include "ensemble/run_cost.h"
 #include "ensemble/statistics.h"
@@ -166,17 +167,10 @@ void add_janssen_fit(const CurvesOfRuns& curves, const NumbersOfRuns& numbers, d
   const auto found = curves.find("profile.pressure_N_m");
   if (found == curves.end() || !numbers.count("omega_m")) return;
   const CurveOfRuns& pressure = found->second;
+  const double omega = mean_over_runs(numbers.at("omega_m")).mean;
   const auto fit = [&](const Sample& sample) -> std::optional<JanssenFit> {
-    PressureProfile profile;
-    profile.particle_diameter = diameter;
-    profile.scale = mean_over_runs(numbers.at("omega_m")).mean;
-    profile.depth_of_floor = pressure.x.back() * diameter;
-    const auto values = mean_of_sample(pressure, sample);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      if (!values[k]) continue;
-      profile.depth.push_back(pressure.x[k] * diameter);
-      profile.pressure.push_back(*values[k]);
-    }
+    const auto profile =
+        mean_profile(pressure.x, mean_of_sample(pressure, sample), diameter, omega);
     try {
       return fit_janssen(profile);
     } catch (const TooFewParticles&) {

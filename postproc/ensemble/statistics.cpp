@@ -47,6 +47,11 @@ double folded(double angle, double low, double period) {
   return low + (rest < period ? rest : 0);
 }
 
+bool all_runs_have(const EnsembleCurve& curve, std::size_t bin) {
+  return std::all_of(curve.of_runs.begin(), curve.of_runs.end(),
+                     [bin](const std::vector<double>& run) { return std::isfinite(run[bin]); });
+}
+
 // Calls `visit` with every sequence of n out of n runs; there are n^n.
 void for_all_resamples(std::size_t n,
                        const std::function<void(const std::vector<std::size_t>&)>& visit) {
@@ -114,16 +119,22 @@ EnsembleMean bootstrap_over_runs(std::size_t runs, const FunctionOfRuns& quantit
   return result;
 }
 
-EnsembleMean mean_over_range(const EnsembleCurve& curve, double from, double to) {
-  ValuesOfRuns means;
-  for (const auto& run : curve.of_runs) {
-    ValuesOfRuns bins;
+EnsembleMean sum_over_ranges(const EnsembleCurve& curve, const std::vector<RangeTerm>& terms) {
+  ValuesOfRuns sums(curve.of_runs.size(), 0.0);
+  for (const auto& term : terms) {
+    std::vector<std::size_t> bins;
     for (std::size_t k = 0; k < curve.x.size(); ++k)
-      if (curve.x[k] >= from && curve.x[k] <= to) bins.emplace_back(run[k]);
-    const auto mean = mean_over_runs(bins);
-    means.push_back(mean.n > 0 ? std::optional<double>(mean.mean) : std::nullopt);
+      if (curve.x[k] >= term.from && curve.x[k] <= term.to && all_runs_have(curve, k))
+        bins.push_back(k);
+    if (bins.empty()) return {none, std::nullopt, 0};
+    for (std::size_t run = 0; run < sums.size(); ++run) {
+      double mean = 0;
+      for (const std::size_t k : bins)
+        mean += curve.of_runs[run][k] / static_cast<double>(bins.size());
+      *sums[run] += term.weight * mean;
+    }
   }
-  return mean_over_runs(means);
+  return mean_over_runs(sums);
 }
 
 }  // namespace rodpack

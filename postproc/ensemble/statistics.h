@@ -36,11 +36,17 @@ using FunctionOfRuns = std::function<std::optional<double>(const std::vector<std
 /// for a single run, or when the quantity exists in fewer than 90 % of the resamples.
 EnsembleMean bootstrap_over_runs(std::size_t runs, const FunctionOfRuns& quantity);
 
-/// Returns the mean of a curve over the bins with from <= x <= to: each run's own mean over those
-/// that it has, then mean_over_runs(), so that noise common to the bins of a run is not taken for
-/// several. No run has a value when none has a bin there, or the curve was not kept for the runs
+/// The mean of a curve over the bins with from <= x <= to, with a weight.
+struct RangeTerm {
+  double weight, from, to;
+};
+
+/// Returns a weighted sum of means over ranges of a curve, such as the difference of two: each
+/// run's own sum, then mean_over_runs(), so that noise common to the bins of a run is not taken for
+/// several. Bins that not all runs have are left out: a mean over others would be one of another
+/// range. n is 0 when nothing is left of a range, or the curve was not kept for the runs
 /// (EnsembleCurve::of_runs).
-EnsembleMean mean_over_range(const EnsembleCurve& curve, double from, double to);
+EnsembleMean sum_over_ranges(const EnsembleCurve& curve, const std::vector<RangeTerm>& terms);
 
 constexpr int bootstrap_resamples = 1000;
 

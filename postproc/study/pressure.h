@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "analysis/janssen_fit.h"
-#include "ensemble/ensemble.h"
+#include "ensemble/statistics.h"
 
 namespace rodpack {
-
-/// The mean P_0(h) of a case, for the fit of Janssen's law: depth in m, w = 3 AR d_p.
-/// @return none when the case has no such curve or its parameters lack aspect_ratio or
-/// particle_diameter_m.
-std::optional<PressureProfile> mean_profile(const EnsembleCase& each);
 
 /// Fits Janssen's law to the mean P_0(h) of a case; none when there is no curve or no fit, with the
 /// reason in `why`.
@@ -25,9 +20,12 @@ std::optional<JanssenFit> janssen_of(const EnsembleCase& each, std::string& why)
 std::optional<double> usable_depth(const EnsembleCase* each);
 
 /// Mean of P_0 over the depths `from` to `to`, d_p, that all runs reach, N/m: near the highest
-/// surface the lower beds have no value yet. Its standard error is the mean of those of
-/// the depths, as if all shared one deviation: an upper bound. n is 0 when there is no depth.
+/// surface the lower beds have no value yet. n is 0 when there is no depth.
 EnsembleMean mean_pressure(const EnsembleCase& each, double from, double to);
+
+/// A weighted sum of such means; its error knows that depths of a run share its noise
+/// (sum_over_ranges()).
+EnsembleMean sum_of_pressures(const EnsembleCase& each, const std::vector<RangeTerm>& terms);
 
 /// The mean pressures over theta (0: straight, smooth) of one aspect ratio, in the lower half of
 /// the depths that all cases have.

@@ -27,18 +27,16 @@ Claim spheres_saturate(const Ensemble& ensemble) {
   const auto* spheres = straight_case(ensemble, Surface::sphere, 1);
   const auto end = usable_depth(spheres);
   if (!end) return not_tested(claim, "spheres with a pressure profile");
-  const auto upper = mean_pressure(*spheres, 0, *end / 3);
-  const auto middle = mean_pressure(*spheres, *end / 3, 2 * *end / 3);
-  const auto lower = mean_pressure(*spheres, 2 * *end / 3, *end);
-  claim.remark = "thirds " + part_text(upper) + ", " + part_text(middle) + ", " + part_text(lower);
+  const RangeTerm upper{-1, 0, *end / 3}, middle{2, *end / 3, 2 * *end / 3},
+      lower{-1, 2 * *end / 3, *end};
+  claim.remark = "thirds";
+  for (const auto& part : {upper, middle, lower})
+    claim.remark += " " + part_text(mean_pressure(*spheres, part.from, part.to));
   std::string why;
   const auto fit = janssen_of(*spheres, why);
   claim.remark +=
       "; " + (fit ? describe(*fit, spheres->parameters["particle_diameter_m"].get<double>()) : why);
-  auto bend = contrast_of({{-1, upper}, {2, middle}, {-1, lower}});
-  // The thirds are of the same runs.
-  if (bend) bend->dof = std::max(1, upper.n - 1);
-  judge_above(claim, bend);
+  judge_above(claim, contrast_of({{1, sum_of_pressures(*spheres, {upper, middle, lower})}}));
   return claim;
 }
 
@@ -54,14 +52,13 @@ Claim keeps_rising(const Ensemble& ensemble, bool coarse, double aspect_ratio) {
       straight_case(ensemble, coarse ? Surface::coarse : Surface::smooth, aspect_ratio);
   const auto end = usable_depth(each);
   if (!end) return not_tested(claim, name + " with a bed higher than 3 omega");
-  const auto upper = mean_pressure(*each, *end * 4 / 6, *end * 5 / 6);
-  const auto lower = mean_pressure(*each, *end * 5 / 6, *end);
-  if (upper.n == 0 || lower.n == 0) return not_tested(claim, name + " with more depths");
-  claim.remark =
-      part_text(upper) + " and " + part_text(lower) + ", down to " + number_text(*end, 3) + " d_p";
-  auto growth = contrast_of({{1, lower}, {-1, upper}});
-  if (growth) growth->dof = std::max(1, upper.n - 1);
-  judge_above(claim, growth);
+  const RangeTerm upper{-1, *end * 4 / 6, *end * 5 / 6}, lower{1, *end * 5 / 6, *end};
+  const auto growth = sum_of_pressures(*each, {upper, lower});
+  if (growth.n == 0) return not_tested(claim, name + " with more depths");
+  claim.remark = part_text(mean_pressure(*each, upper.from, upper.to)) + " and " +
+                 part_text(mean_pressure(*each, lower.from, lower.to)) + ", down to " +
+                 number_text(*end, 3) + " d_p";
+  judge_above(claim, contrast_of({{1, growth}}));
   return claim;
 }
 

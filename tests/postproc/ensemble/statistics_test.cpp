@@ -105,18 +105,27 @@ TEST(Bootstrap, WhatHardlyExistsHasNoError) {
   EXPECT_EQ(bootstrap_over_runs(0, mean_of({})).n, 0);
 }
 
-// Bins at 1 and 2: the runs' own means are 3, 5 and, with a single bin, 10: mean 6, squared
-// deviations 9 + 1 + 16 = 26, over 2 and 3. Were the bins independent, the error would be smaller.
-TEST(MeanOverRange, TakesARunForOneValueHoweverManyBinsItHas) {
+// Bins at 1 and 2: the runs' own means are 3, 5 and 10: mean 6, squared deviations 9 + 1 + 16 = 26,
+// over 2 and 3. Were the bins independent, the error would be smaller.
+TEST(SumOverRanges, TakesARunForOneValueHoweverManyBinsItHas) {
   const double none = std::nan("");
-  EnsembleCurve curve{"x", {0, 1, 2, 3}, {}, {{9, 2, 4, 9}, {9, 4, 6, 9}, {9, none, 10, 9}}};
-  const auto mean = mean_over_range(curve, 1, 2);
-  EXPECT_EQ(mean.mean, 6);
+  EnsembleCurve curve{"x", {0, 1, 2, 3}, {}, {{9, 2, 4, 9}, {9, 4, 6, 9}, {none, 9, 11, 9}}};
+  const auto mean = sum_over_ranges(curve, {{1, 1, 2}});
+  EXPECT_NEAR(mean.mean, 6, 1e-14);
   EXPECT_NEAR(mean.sem.value(), std::sqrt(26.0 / 6), 1e-14);
   EXPECT_EQ(mean.n, 3);
-  EXPECT_EQ(mean_over_range(curve, 1, 1).n, 2) << "the third run has no value at 1";
-  EXPECT_EQ(mean_over_range(curve, 5, 6).n, 0);
-  EXPECT_EQ(mean_over_range({"x", {0, 1}, {{1, {}, 1}, {2, {}, 1}}, {}}, 0, 1).n, 0);
+  EXPECT_NEAR(sum_over_ranges(curve, {{1, 0, 2}}).mean, 6, 1e-14) << "the third run has no 0";
+  EXPECT_EQ(sum_over_ranges(curve, {{1, 0, 0}}).n, 0);
+  EXPECT_EQ(sum_over_ranges(curve, {{1, 1, 2}, {1, 5, 6}}).n, 0);
+  EXPECT_EQ(sum_over_ranges({"x", {0, 1}, {{1, {}, 1}, {2, {}, 1}}, {}}, {{1, 0, 1}}).n, 0);
+}
+
+// All runs grow by 2 from bin 1 to bin 2, wherever they begin: the growth has no error.
+TEST(SumOverRanges, OfADifferenceNoiseThatIsCommonToARunFallsOut) {
+  EnsembleCurve curve{"x", {1, 2}, {}, {{2, 4}, {4, 6}, {9, 11}}};
+  const auto growth = sum_over_ranges(curve, {{1, 2, 2}, {-1, 1, 1}});
+  EXPECT_NEAR(growth.mean, 2, 1e-14);
+  EXPECT_NEAR(growth.sem.value(), 0, 1e-14);
 }
 
 }  // namespace

@@ -143,8 +143,9 @@ TEST(Claims, DepthsThatNotAllBedsReachAreLeftOut) {
   const auto before = named(by_name(study.ensemble), "spheres_follow_janssen");
   for (auto& each : study.ensemble.cases)
     if (each.name == "spheres")
-      for (int h = 0; h < 3; ++h)
-        each.curves["profile.pressure_N_m"].y[static_cast<std::size_t>(h)] = {1e3, std::nullopt, 1};
+      for (std::size_t run = 0; run < 5; ++run)
+        std::fill_n(each.curves["profile.pressure_N_m"].of_runs[run].begin(), 3,
+                    run == 0 ? 1e3 : std::nan(""));
   const auto after = named(by_name(study.ensemble), "spheres_follow_janssen");
   EXPECT_EQ(after.verdict, Verdict::holds);
   // Without its three lowest values, about 0 to 0.8 N/m, the upper third is a little higher.

@@ -46,14 +46,22 @@ class SyntheticStudy {
     }
   }
 
-  /// P_0(h) down to a floor at 150 d_p, standard errors 0.1 N/m.
+  /// P_0(h) down to a floor at 150 d_p, standard errors 0.1 N/m. The runs depart from the law by
+  /// -2, -1, 0, 1, 2 times 0.1 sqrt(2) N/m, each over 10 d_p in another way.
   void pressure(const std::string& name, const std::function<double(double)>& law) {
-    auto& curve = one(name).curves["profile.pressure_N_m"];
+    auto& study_case = one(name);
+    auto& curve = study_case.curves["profile.pressure_N_m"];
     curve = {};
+    curve.of_runs.resize(5);
     for (int h = 0; h <= 150; ++h) {
       curve.x.push_back(h);
       curve.y.push_back({law(h), 0.1, 5});
+      for (int run = 0; run < 5; ++run)
+        curve.of_runs[static_cast<std::size_t>(run)].push_back(
+            law(h) + 0.1 * std::sqrt(2.0) * ((run + h / 10) % 5 - 2));
     }
+    const double omega = 3 * study_case.parameters["aspect_ratio"].get<double>() * 0.003;
+    study_case.numbers["omega_m"] = {omega, 0, 5};
   }
 
  private:
