@@ -60,8 +60,10 @@ TEST(Claims, SingleRunsDecideNothing) {
   auto study = study_of_claims(1);
   for (auto& each : study.ensemble.cases) {
     for (auto& [name, number] : each.numbers) number = {number.mean, std::nullopt, 1};
-    for (auto& [name, curve] : each.curves)
+    for (auto& [name, curve] : each.curves) {
       for (auto& value : curve.y) value = {value.mean, std::nullopt, 1};
+      if (!curve.of_runs.empty()) curve.of_runs.resize(1);
+    }
   }
   for (const auto& claim : test_claims(study.ensemble)) {
     EXPECT_EQ(claim.verdict, Verdict::undecided) << claim.name;
