@@ -18,8 +18,8 @@ import schwager_poeschel  # noqa: E402
 import vyas  # noqa: E402
 from scene import ORDER_4, OURS, Runner, sphere, spring_scene  # noqa: E402
 
-BUILD = Path(__file__).resolve().parents[3] / "build" / "bin"
-RUN = Runner(Path(os.environ.get("RODPACK_BIN", BUILD), "liggghts").resolve())
+REPOSITORY = Path(__file__).resolve().parents[3]
+RUN = Runner(Path(os.environ.get("RODPACK_BIN", REPOSITORY / "build" / "bin"), "liggghts").resolve())
 
 
 def lost_in_contact(steps_per_contact):
@@ -51,6 +51,17 @@ class Laws(unittest.TestCase):
         self.assertAlmostEqual(1.0 - impact.velocity, 2 * friction * speed, delta=1e-12)
         expected = -2.5 * friction * speed * (2 * radius - pi / 4 * speed)
         self.assertAlmostEqual(impact.spin, expected, delta=1e-8 * abs(expected))
+
+
+class Page(unittest.TestCase):
+    def test_the_deck_of_the_contact_models_page_turns_restitution_into_damping(self):
+        page = (REPOSITORY / "liggghts-src-ext/doc/gran_model_spring_dashpot.md").read_text()
+        deck = page[page.index("variable   e equal"):page.index("fix        dn")]
+        for restitution in 0.2, 0.5, 0.9:
+            text = deck.replace("e equal 0.5", f"e equal {restitution}") + 'print "found ${eta}"\n'
+            found = float(RUN.output_of(text).rsplit("found ", 1)[1].split()[0])
+            exact = laws.damping_ratio_without_tension(restitution)
+            self.assertAlmostEqual(found, exact, delta=1e-12 * exact)
 
 
 class ClosedForms(unittest.TestCase):

@@ -61,18 +61,26 @@ class Runner:
             lines.append(f"variable {name} index " + " ".join(repr(s[name]) for s in spheres))
         lines.append("variable id index " + " ".join(str(n + 1) for n in range(len(spheres))))
         with tempfile.TemporaryDirectory(prefix="thirdparty.") as folder:
-            deck = Path(folder, "in.run")
-            deck.write_text("\n".join([*lines, DECK.read_text()]))
-            # A program started alone would else look for Open MPI's daemon, and several at once would share a folder.
-            environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_orte_tmpdir_base=folder)
-            done = subprocess.run([self.program, "-in", deck.name], cwd=folder,
-                                  env=environment, capture_output=True, text=True)
-            self.banner = done.stdout.split("\n", 1)[0]
-            if done.returncode:
-                log = Path(folder, "log.liggghts")
-                said = log.read_text().splitlines()[-3:] if log.exists() else []
-                raise Failed("\n".join([f"{method.name}: exit status {done.returncode}", *said, done.stderr]))
+            self.start("\n".join([*lines, DECK.read_text()]), folder, method.name)
             return read_frames(Path(folder, "spheres.dump"), scene["dt"])
+
+    def output_of(self, text):
+        """What a deck of one's own says."""
+        with tempfile.TemporaryDirectory(prefix="thirdparty.") as folder:
+            return self.start(text, folder, "deck")
+
+    def start(self, text, folder, name):
+        Path(folder, "in.run").write_text(text)
+        # A program started alone would else look for Open MPI's daemon, and several at once would share a folder.
+        environment = dict(os.environ, OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_orte_tmpdir_base=folder)
+        done = subprocess.run([self.program, "-in", "in.run"], cwd=folder, env=environment, capture_output=True,
+                              text=True)
+        self.banner = done.stdout.split("\n", 1)[0]
+        if done.returncode:
+            log = Path(folder, "log.liggghts")
+            said = log.read_text().splitlines()[-3:] if log.exists() else []
+            raise Failed("\n".join([f"{name}: exit status {done.returncode}", *said, done.stderr]))
+        return done.stdout
 
 
 def read_frames(file, dt):
