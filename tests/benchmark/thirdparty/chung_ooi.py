@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Chung and Ooi, Granular Matter 13, 643 (2011): tests 1 to 4, with LIGGGHTS's own Hertz model.
+"""Chung and Ooi, Granular Matter 13, 643 (2011): tests 1 to 7, with LIGGGHTS's own Hertz model.
 
-Materials and velocities as in YADE's scripts of these tests. Test 4 is MFiX's DEM05 with Hertz's law, too.
+Materials and velocities of tests 1 to 4 as in YADE's scripts of them. Test 4 is MFiX's DEM05 with Hertz's law, too.
 """
 from math import cos, radians, sin, sqrt
 
@@ -117,10 +117,50 @@ def oblique(run):
     return Table(
         "Chung and Ooi's test 4, MFiX's DEM05: oblique impacts under Hertz's law",
         "Spin after the rebound, rad/s, and its relative error. Aluminium oxide on glass, 3.9 m/s, μ = 0.092, no "
-        "dashpots. MFiX's lever is r − δ, LIGGGHTS's r − δ/2: each has a converged solution of its own. Tests 5 to 8 "
-        "differ by the initial spin and the partner.",
+        "dashpots. MFiX's lever is r − δ, LIGGGHTS's r − δ/2: each has a converged solution of its own.",
         ["angle", "lever r − δ", "MFiX: error", "lever r − δ/2", *NAMES_OBLIQUE], rows)
 
 
+def spinning(run):
+    radius, density, young, poisson, friction, speed = 0.1, 2699, 7e10, 0.3, 0.4, 0.2
+    mass = laws.sphere_mass(radius, density)
+    modulus, shear = 0.5 * young / (1 - poisson**2), 0.25 * young / (2 - poisson) / (1 + poisson)
+    unit = friction * speed
+    rows = []
+    for test, ratio in [(test, ratio) for test in (5, 6, 7) for ratio in (1, 3, 6)]:
+        pair = test == 7
+        along, surface = (ratio * unit, 0.0) if test == 5 else (0.0, ratio * unit)
+        # Two equal spheres that close at `speed` and turn alike, at half the slip each, are one sphere of half the mass.
+        curvature, moving = (0.5 * radius, 0.5 * mass) if pair else (radius, mass)
+        contact, _ = laws.hertz_duration(curvature, moving, modulus, speed)
+        rebound = laws.ObliqueImpact(radius, moving, 4 / 3 * modulus * sqrt(curvature), 8 * shear * sqrt(curvature),
+                                     friction, speed, along, spin=surface / radius, exponent=0.5, duration=contact)
+        exact = (rebound.velocity + radius * rebound.spin) / unit
+        errors = []
+        for method, steps in METHODS_OBLIQUE:
+            dt = contact / steps
+            gap, ball = 3.37 * dt * speed, dict(radius=radius, density=density)
+            spheres = [sphere(y=radius + gap, vy=-speed, vx=along, wz=surface / radius, **ball)]
+            if pair:
+                spheres = [sphere(x=side * (radius + gap / 2), vx=-side * speed / 2, wz=surface / radius / 2, **ball)
+                           for side in (-1, 1)]
+            count = round(1.5 * steps) + 20
+            scene = dict(spheres=spheres, dt=dt, steps=count, every=count, young=young, poisson=poisson,
+                         restitution=1.0, mu=friction, walls=0 if pair else 1, half=1, skin=radius)
+            states = run(scene, method)[-1][1]
+            slip = states[0]["vx"] + radius * states[0]["omegaz"]
+            if pair:
+                slip = states[0]["vy"] - states[1]["vy"] + radius * (states[0]["omegaz"] + states[1]["omegaz"])
+            errors.append(slip / unit - exact)
+        rows.append([f"{test}", f"{ratio}", None, fixed(exact, 5), *errors])
+    return Table(
+        "Chung and Ooi's tests 5 to 7: one normal speed, other slips",
+        "Slip of the surface after the rebound over μ v_n, and its error. Test 5: a sphere that moves along the plane, "
+        "6: one that spins, 7: two equal ones that spin. Aluminium alloy of test 2, μ = 0.4, 0.2 m/s. Chung and Ooi "
+        "print curves for other materials; the impact has no other scales than this slip and Poisson's ratio. Test 8 "
+        "has two unequal spheres.",
+        ["test", "slip before / μ v_n", "published", "converged", *NAMES_OBLIQUE], rows)
+
+
 def tables(run):
-    return [normal(run), oblique(run)]
+    return [normal(run), oblique(run), spinning(run)]

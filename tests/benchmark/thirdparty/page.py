@@ -60,7 +60,7 @@ What they show:
 - Velocity Verlet holds a small grain between two large ones from a ratio of sizes of about 10 on; ours lets it fall.
 
 Left out: MFiX's DEM06 (a fluid), MercuryDPM's coarse-graining tests (the fields have their own closed forms in
-`tests/unit/averaging`), Spheral's composite particles, Chung and Ooi's tests 5 to 8.
+`tests/unit/averaging`), Spheral's composite particles, Chung and Ooi's test 8.
 
 """
 
