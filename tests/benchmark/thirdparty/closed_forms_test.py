@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A small form of the benchmarks that have closed forms, as tests of the suite.
+
+With h = omega dt = pi / N at N steps per contact, order 3 changes an undamped amplitude by -3/8 h^4 a step, so by
+3 pi / 8 h^3 in a contact (theory.md, "Energy of an undamped contact"). That is the scale of all bounds here.
+"""
+import os
+import sys
+import unittest
+from math import log2, pi, sqrt
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+
+import laws  # noqa: E402
+import mfix  # noqa: E402
+import schwager_poeschel  # noqa: E402
+import vyas  # noqa: E402
+from scene import ORDER_4, OURS, Runner, sphere, spring_scene  # noqa: E402
+
+REPOSITORY = Path(__file__).resolve().parents[3]
+RUN = Runner(Path(os.environ.get("RODPACK_BIN", REPOSITORY / "build" / "bin"), "liggghts").resolve())
+
+
+def lost_in_contact(steps_per_contact):
+    """Fraction of an undamped amplitude that order 3 loses in a contact."""
+    return 3 * pi / 8 * (pi / steps_per_contact)**3
+
+
+class Laws(unittest.TestCase):
+    """The references themselves."""
+
+    def test_restitution_without_tension_is_that_of_the_path(self):
+        for eta in 0.05, 0.2, 0.5, 0.9:
+            closed = laws.restitution_without_tension(eta)
+            self.assertAlmostEqual(laws.Impact(1.0, 1.0, eta, 1.0).end_speed, closed, delta=1e-12)
+            self.assertAlmostEqual(laws.damping_ratio_without_tension(closed), eta, delta=1e-12)
+
+    def test_restitution_has_the_values_of_schwager_and_poeschel(self):
+        for eta, published in (0.05, 0.858758), (0.1, 0.744079), (0.2, 0.571740), (0.3, 0.450975), (0.5, 0.298436):
+            self.assertAlmostEqual(laws.restitution_without_tension(eta), published, delta=5e-7)
+
+    def test_an_impact_with_tension_has_the_other_restitution(self):
+        eta = laws.damping_ratio_with_tension(0.7)
+        self.assertAlmostEqual(laws.Impact(1.0, 1.0, eta, 1.0, tension=True).end_speed, 0.7, delta=1e-12)
+
+    def test_gross_sliding_has_the_impulse_of_the_cap(self):
+        # mu k d integrated is 2 mu m v; its moment at the lever r - d/2 lacks mu k / 2 times the integral of d^2.
+        radius, mass, speed, friction = 1.0, 1.0, 1e-3, 0.1
+        impact = laws.ObliqueImpact(radius, mass, 1.0, 1.0, friction, speed, 1.0)
+        self.assertAlmostEqual(1.0 - impact.velocity, 2 * friction * speed, delta=1e-12)
+        expected = -2.5 * friction * speed * (2 * radius - pi / 4 * speed)
+        self.assertAlmostEqual(impact.spin, expected, delta=1e-8 * abs(expected))
+
+
+class Page(unittest.TestCase):
+    def test_the_deck_of_the_contact_models_page_turns_restitution_into_damping(self):
+        page = (REPOSITORY / "liggghts-src-ext/doc/gran_model_spring_dashpot.md").read_text()
+        deck = page[page.index("variable   e equal"):page.index("fix        dn")]
+        for restitution in 0.2, 0.5, 0.9:
+            text = deck.replace("e equal 0.5", f"e equal {restitution}") + 'print "found ${eta}"\n'
+            found = float(RUN.output_of(text).rsplit("found ", 1)[1].split()[0])
+            exact = laws.damping_ratio_without_tension(restitution)
+            self.assertAlmostEqual(found, exact, delta=1e-12 * exact)
+
+
+class ClosedForms(unittest.TestCase):
+    def test_an_undamped_bounce_loses_the_energy_that_the_order_loses(self):
+        # 3/4 pi h^3 of it at order 3. The next term of the error is smaller by h, and so is all of order 4.
+        steps = 50 * sqrt(2)
+        lost = {}
+        for method in OURS, ORDER_4:
+            apexes = mfix.apexes(mfix.drop(RUN, method, 5e4, 0.0, steps, 0.7 * 14, every=5))
+            lost[method] = (0.5 - apexes[13]) / 13 / 0.4
+        expected, h = 0.75 * pi**4 / steps**3, pi / steps
+        self.assertAlmostEqual(lost[OURS] / expected, 1.0, delta=h)
+        self.assertAlmostEqual(lost[ORDER_4] / expected, 0.0, delta=h)
+
+    def test_restitution_converges_in_third_order(self):
+        for eta in 0.1, 0.3:
+            coarse, fine = (schwager_poeschel.restitution_error(RUN, OURS, eta, n) for n in (30, 60))
+            self.assertLess(coarse, lost_in_contact(30))
+            self.assertAlmostEqual(log2(coarse / fine), 3, delta=0.3)
+
+    def test_friction_outlives_the_normal_force(self):
+        # Sliding all through: mu k times the integral of the overlap to its end, behind the end of the force in flight
+        # at e w, is mu m w (1 + e - 2 eta^2 e); with the cap mu F_n it would be mu m w (1 + e).
+        radius, stiffness, friction, speed, eta, steps = 1.5e-3, 2000, 0.3, 0.5, 0.5, 60
+        dt = laws.contact_time(stiffness, laws.sphere_mass(radius, 2500)) / steps
+        ball = sphere(y=radius + 3.37 * dt * speed, vy=-speed, vx=5.0, radius=radius)
+        scene = spring_scene([ball], dt, 3 * steps, every=3 * steps, kn=stiffness, kt=1000, eta_n=eta, eta_t=eta,
+                             mu=friction, walls=1, half=0.1)
+        restitution = laws.restitution_without_tension(eta)
+        impulse = (5.0 - RUN(scene, OURS)[-1][1][0]["vx"]) / (friction * speed)
+        self.assertAlmostEqual(impulse, 1 + restitution - 2 * eta**2 * restitution, delta=lost_in_contact(steps))
+
+    def test_friction_acts_half_way_into_the_overlap_at_a_wall(self):
+        radius, density, stiffness, friction, speed, steps = 2.5e-3, 4000, 1.72e7, 0.092, 2.0, 100
+        mass = laws.sphere_mass(radius, density)
+        dt = laws.contact_time(stiffness, mass) / steps
+        ball = sphere(y=radius + 3.37 * dt * speed, vy=-speed, vx=5.0, radius=radius, density=density)
+        scene = spring_scene([ball], dt, 2 * steps, every=2 * steps, kn=stiffness, kt=0.86 * stiffness, mu=friction,
+                             walls=1, half=0.05, skin=radius)
+        depth = speed * sqrt(mass / stiffness)
+        spin = 2.5 * friction * speed * (2 * radius - pi / 4 * depth) / radius**2
+        found = -RUN(scene, OURS)[-1][1][0]["omegaz"] / spin
+        # A lever r would be off by pi/8 of the depth over the radius.
+        self.assertGreater(pi / 8 * depth / radius, 10 * lost_in_contact(steps))
+        self.assertAlmostEqual(found, 1.0, delta=lost_in_contact(steps))
+
+    def test_two_stacked_particles_follow_their_linear_motion(self):
+        radius, height, stiffness, gravity, seconds = 0.5e-3, 1.8e-3, 1e3, mfix.GRAVITY, 1e-3
+        masses = [laws.sphere_mass(radius, d) for d in (2e4, 1e4)]
+        start = 0.25 * height, 0.75 * height
+        exact = laws.stacked(start, (0, 0), seconds, masses, radius, stiffness, (0.1,) * 3, height, gravity)
+        errors = []
+        for steps in 250, 500:
+            spheres = [sphere(y=y, radius=radius, density=d) for y, d in zip(start, (2e4, 1e4))]
+            scene = spring_scene(spheres, seconds / steps, steps, kn=stiffness, kt=stiffness, eta_n=0.1, gy=-gravity,
+                                 walls=2, floor=0, ceiling=height, half=0.01, skin=1e-4)
+            time, states = RUN(scene, OURS)[-1]
+            self.assertAlmostEqual(time, seconds, delta=1e-12)
+            errors.append(abs(states[1]["y"] - exact[1]))
+        self.assertAlmostEqual(log2(errors[0] / errors[1]), 3, delta=0.3)
+
+    def test_a_sphere_that_bobs_stops_slipping_when_its_friction_has_stopped_it(self):
+        # Bobbing decays by 3/8 h^4 a step; the slip's end moves by less than what is lost of its last swing.
+        friction = 0.6
+        exact, dimensionless, omega = mfix.slip_end(friction)
+        found = mfix.measured_slip_end(RUN, OURS, friction, exact, 50)
+        count = exact / (pi / omega / 50)
+        bound = friction * mfix.GRAVITY / 0.1 / omega * 3 / 8 * (pi / 50)**4 * count
+        self.assertAlmostEqual(found, dimensionless, delta=bound)
+
+    def test_a_grain_rolls_off_two_large_ones_and_falls(self):
+        # Read off between frames that are exact/500 apart, along a motion that grows like exp(rate t): the chord is off
+        # by rate (exact/500)^2 / 8 in time.
+        ratio = 10
+        small = vyas.LARGE / ratio
+        exact = vyas.rolling_time(small, vyas.FROM, vyas.TO)
+        step = laws.contact_time(vyas.STIFFNESS, laws.sphere_mass(small, vyas.DENSITY)) / 30
+        time, falls = vyas.roll(RUN, OURS, ratio, step, 4 * exact)
+        rho = sqrt((vyas.LARGE + small)**2 - vyas.LARGE**2)
+        rate = sqrt(vyas.GRAVITY * rho / (rho**2 + 0.4 * (vyas.LARGE + small)**2))
+        self.assertAlmostEqual(time / exact, 1.0, delta=rate * exact / 500**2 / 8)
+        self.assertTrue(falls)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Closed forms and converged solutions for a sphere and a wall, written down without the program's own code."""
+from math import acos, atan2, cos, exp, gamma, log, pi, sin, sqrt
+
+
+def root(function, low, high):
+    """Where a continuous function changes its sign between low and high, to the last bits."""
+    below = function(low) < 0
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        if (function(middle) < 0) == below:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+def sphere_mass(radius, density):
+    return 4 / 3 * pi * radius**3 * density
+
+
+def contact_time(stiffness, mass):
+    """Half a period of the undamped spring, s: what "steps per contact" counts."""
+    return pi * sqrt(mass / stiffness)
+
+
+def restitution_without_tension(eta):
+    """Schwager and Poeschel, Granular Matter 9, 465 (2007): the contact ends with its force."""
+    return exp(-2 * eta * acos(eta) / sqrt(1 - eta**2))
+
+
+def damping_ratio_without_tension(restitution):
+    """Its inverse. With eta = cos(alpha), -ln e = 2 alpha / tan(alpha), which falls from 2 to 0 in alpha."""
+    if restitution == 1:
+        return 0.0
+    alpha = root(lambda a: 2 * a / (sin(a) / cos(a)) + log(restitution), 1e-9, pi / 2)
+    return cos(alpha)
+
+
+def damping_ratio_with_tension(restitution):
+    """MFiX and others: the contact ends with its overlap, e = exp(-pi eta / sqrt(1 - eta^2))."""
+    return -log(restitution) / sqrt(pi**2 + log(restitution)**2)
+
+
+class Impact:
+    """A sphere that touches a wall at time 0 with the closing speed `speed`, under a gravity that presses it on.
+
+    m d'' = m g - k d - c d', solved in closed form. `tension`: the contact ends with its overlap, else where
+    its force k d + c d' falls to zero.
+    """
+
+    def __init__(self, mass, stiffness, eta, speed, gravity=0.0, tension=False):
+        self.frequency = sqrt(stiffness / mass)
+        self.decay = eta * self.frequency
+        self.damped = self.frequency * sqrt(1 - eta**2)
+        self.rest = gravity / self.frequency**2
+        self.cosine = -self.rest
+        self.sine = (speed + self.decay * self.cosine) / self.damped
+        # The first zero lies between the turn of the way in and a full period.
+        turn = atan2(speed, self.decay * self.sine + self.damped * self.rest) / self.damped
+        ends = self.overlap if tension else self.force
+        later = turn
+        while ends(later) > 0:
+            later += 0.01 / self.frequency
+            if later > 4 * pi / self.frequency:
+                raise ValueError("the sphere does not leave the wall")
+        self.end = root(ends, turn, later)
+        self.end_overlap, self.end_speed = self.overlap(self.end), -self.rate(self.end)
+
+    def overlap(self, t):
+        return self.rest + exp(-self.decay * t) * (
+            self.cosine * cos(self.damped * t) + self.sine * sin(self.damped * t))
+
+    def rate(self, t):
+        a, b = self.cosine, self.sine
+        return exp(-self.decay * t) * ((self.damped * b - self.decay * a) * cos(self.damped * t)
+                                       - (self.damped * a + self.decay * b) * sin(self.damped * t))
+
+    def force(self, t):
+        """Over the mass."""
+        return self.frequency**2 * self.overlap(t) + 2 * self.decay * self.rate(t)
+
+
+class Bounces:
+    """A sphere dropped from rest at the height `start` of its centre over a wall at y = 0."""
+
+    def __init__(self, radius, mass, stiffness, eta, start, gravity, number, tension=False):
+        self.radius, self.gravity = radius, gravity
+        self.impacts, self.apexes = [], [start]  # impacts: (time of touch, Impact)
+        touch = sqrt(2 * (start - radius) / gravity)
+        speed = gravity * touch
+        for _ in range(number):
+            impact = Impact(mass, stiffness, eta, speed, gravity, tension)
+            self.impacts.append((touch, impact))
+            apex = radius - impact.end_overlap + impact.end_speed**2 / (2 * gravity)
+            self.apexes.append(apex)
+            speed = sqrt(2 * gravity * (apex - radius))
+            touch += impact.end + (impact.end_speed + speed) / gravity
+
+    def height(self, t):
+        touch, impact = None, None
+        for begin, candidate in self.impacts:
+            if begin <= t:
+                touch, impact = begin, candidate
+        if impact is None:
+            return self.apexes[0] - 0.5 * self.gravity * t**2
+        since = t - touch
+        if since < impact.end:
+            return self.radius - impact.overlap(since)
+        since -= impact.end
+        return self.radius - impact.end_overlap + impact.end_speed * since - 0.5 * self.gravity * since**2
+
+
+def hertz_duration(radius, mass, modulus, speed):
+    """Of an undamped impact under F = 4/3 E* sqrt(R) d^(3/2), s; and its largest overlap, m."""
+    stiffness = 4 / 3 * modulus * sqrt(radius)
+    depth = (1.25 * mass * speed**2 / stiffness)**0.4
+    # 2 int_0^1 dx / sqrt(1 - x^(5/2)) = 2.9433
+    return 2 * sqrt(pi) * gamma(1.4) / gamma(0.9) * depth / speed, depth
+
+
+def elastic_overlaps(mass, stiffness, exponent, speed, duration, steps):
+    """Overlaps at the 2 steps + 1 ends and middles of steps of an impact under F = k d^(1 + exponent)."""
+    dt = duration / steps
+    if exponent == 0:
+        omega = sqrt(stiffness / mass)
+        return dt, [speed / omega * sin(omega * 0.5 * dt * n) for n in range(2 * steps + 1)]
+
+    def rates(d, v):
+        return v, -stiffness / mass * max(d, 0.0)**(1 + exponent)
+
+    h, d, v, overlaps = 0.5 * dt, 0.0, speed, [0.0]
+    for _ in range(2 * steps):
+        a = rates(d, v)
+        b = rates(d + 0.5 * h * a[0], v + 0.5 * h * a[1])
+        c = rates(d + 0.5 * h * b[0], v + 0.5 * h * b[1])
+        e = rates(d + h * c[0], v + h * c[1])
+        d += h / 6 * (a[0] + 2 * b[0] + 2 * c[0] + e[0])
+        v += h / 6 * (a[1] + 2 * b[1] + 2 * c[1] + e[1])
+        overlaps.append(max(d, 0.0))
+    return dt, overlaps
+
+
+class ObliqueImpact:
+    """A sphere without gravity and without dashpots meets a wall obliquely; Coulomb's cap mu F_n.
+
+    F_n = kn d^(1 + exponent), F_t = kt d^exponent s: linear, or Hertz's with the exponent 1/2. The tangential motion
+    is integrated by the midpoint rule in `steps` steps of the contact, of `duration` (s) where it is not linear, with
+    the spring cut to the cap at the end of each (second order in the step). `lever` gives the lever of the friction
+    force for a radius and an overlap.
+    """
+
+    def __init__(self, radius, mass, kn, kt, friction, normal_speed, tangential_speed, spin=0.0,
+                 lever=lambda r, d: r - 0.5 * d, exponent=0.0, duration=None, steps=20000):
+        duration = duration or contact_time(kn, mass)
+        dt, overlaps = elastic_overlaps(mass, kn, exponent, normal_speed, duration, steps)
+        inertia = 0.4 * mass * radius**2
+        v, w, spring = tangential_speed, spin, 0.0
+        for begin, middle, end in zip(overlaps[0::2], overlaps[1::2], overlaps[2::2]):
+            # The surface slips at v + lever w: w is counted so that friction changes both with the same sign.
+            arm = lever(radius, begin)
+            force = -kt * begin**exponent * spring
+            half_v, half_w = v + 0.5 * dt * force / mass, w + 0.5 * dt * force * arm / inertia
+            force = -kt * middle**exponent * (spring + 0.5 * dt * (v + arm * w))
+            cap = friction * kn * middle**(1 + exponent)
+            force = max(-cap, min(cap, force))
+            arm = lever(radius, middle)
+            v += dt * force / mass
+            w += dt * force * arm / inertia
+            longest = friction * kn / kt * end
+            spring = max(-longest, min(longest, spring + dt * (half_v + arm * half_w)))
+        self.velocity, self.spin = v, w
+
+
+def stacked(y, v, seconds, masses, radius, stiffness, etas, height, gravity, steps=20000):
+    """Two spheres, one on the other, squeezed between walls at 0 and `height`: positions after `seconds`.
+
+    The motion is linear as long as all three contacts push; Runge-Kutta's fourth order in `steps` steps.
+    `etas`: of floor, pair, ceiling, with the effective masses m1, m1 m2/(m1+m2), m2.
+    """
+    m1, m2 = masses
+    c_floor, c_pair, c_ceiling = (2 * eta * sqrt(m * stiffness)
+                                  for eta, m in zip(etas, (m1, m1 * m2 / (m1 + m2), m2)))
+
+    def rates(s):
+        y1, y2, v1, v2 = s
+        floor = stiffness * (radius - y1) - c_floor * v1
+        pair = stiffness * (2 * radius - y2 + y1) - c_pair * (v2 - v1)
+        ceiling = stiffness * (radius - height + y2) + c_ceiling * v2
+        return v1, v2, (floor - pair) / m1 - gravity, (pair - ceiling) / m2 - gravity
+
+    state, dt = (*y, *v), seconds / steps
+    for _ in range(steps):
+        a = rates(state)
+        b = rates([s + 0.5 * dt * r for s, r in zip(state, a)])
+        c = rates([s + 0.5 * dt * r for s, r in zip(state, b)])
+        d = rates([s + dt * r for s, r in zip(state, c)])
+        state = [s + dt / 6 * (p + 2 * q + 2 * r + t) for s, p, q, r, t in zip(state, a, b, c, d)]
+    return state[:2]
