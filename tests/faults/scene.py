@@ -118,7 +118,7 @@ class Scene:
 
 def contents(run):
     """What a run has to say: energies, result, parameters but for its own name, dumps."""
-    files = {}
+    files = {file.name: "unfinished" for file in run.rglob("*.part")}
     for file in [run / "energies.csv", run / "result.json", *sorted((run / "dumps").iterdir())]:
         files[file.name] = file.read_bytes() if file.exists() else None
     text = (run / "parameters.json").read_text()

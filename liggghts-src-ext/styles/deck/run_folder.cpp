@@ -49,7 +49,10 @@ std::string RunFolder::open(const std::vector<std::string>& words) const {
 
 std::string RunFolder::resume(const std::string& folder, const std::string& restart) const {
   const long long step = update->ntimestep;
-  std::string fault = cut_table(folder + "/energies.csv", step);
+  std::string fault = remove_unfinished(folder);
+  for (const char* part : {"/dumps", "/restart"})
+    if (fault.empty()) fault = remove_unfinished(folder + part);
+  if (fault.empty()) fault = cut_table(folder + "/energies.csv", step);
   if (fault.empty()) fault = remove_later_dumps(folder + "/dumps", step);
   if (fault.empty()) fault = rename_later_restarts(folder + "/restart", step, restart);
   if (!fault.empty()) return fault;

@@ -57,6 +57,10 @@ std::string for_each_file(const std::string& folder,
   return "";
 }
 
+std::string remove_file(const std::string& file) {
+  return unlink(file.c_str()) == 0 ? "" : fault("cannot remove " + file);
+}
+
 /// Step in a name such as bodies.1200.dump, by an expression whose first group it is; -1 without.
 long long step_of(const std::string& name, const char* expression) {
   std::smatch match;
@@ -131,12 +135,17 @@ std::string cut_table(const std::string& file, long long step) {
   return kept == text ? "" : write_whole(file, kept);
 }
 
+std::string remove_unfinished(const std::string& folder) {
+  return for_each_file(folder, [&](const std::string& name) -> std::string {
+    if (name.size() < 5 || name.compare(name.size() - 5, 5, ".part") != 0) return "";
+    return remove_file(folder + "/" + name);
+  });
+}
+
 std::string remove_later_dumps(const std::string& folder, long long step) {
   return for_each_file(folder, [&](const std::string& name) -> std::string {
-    const bool part = name.size() > 5 && name.compare(name.size() - 5, 5, ".part") == 0;
-    if (!part && step_of(name, ".*\\.([0-9]+)\\.dump(\\.gz)?") <= step) return "";
-    const std::string file = folder + "/" + name;
-    return unlink(file.c_str()) == 0 ? "" : fault("cannot remove " + file);
+    if (step_of(name, ".*\\.([0-9]+)\\.dump(\\.gz)?") <= step) return "";
+    return remove_file(folder + "/" + name);
   });
 }
 

@@ -22,7 +22,10 @@ std::string write_whole(const std::string& file, const std::string& text);
 /// that are not whole. It is no fault if there is no such file.
 std::string cut_table(const std::string& file, long long step);
 
-/// Removes files NAME.STEP.dump (also with .gz) of steps after `step`, and what was being written.
+/// Removes what was being written in a folder when a run ended: NAME.part.
+std::string remove_unfinished(const std::string& folder);
+
+/// Removes files NAME.STEP.dump (also with .gz) of steps after `step`.
 std::string remove_later_dumps(const std::string& folder, long long step);
 
 /// Renames restart files NAME.STEP.restart of steps after `step`, and NAME.end.restart, to

@@ -25,7 +25,7 @@ std::string contents(const fs::path& file) {
 }
 
 const std::string parameters = R"(parameter seed integer 1 minimum 1
-parameter out path here
+parameter out text here path
 )";
 
 std::string written() {
