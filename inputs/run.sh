@@ -36,12 +36,18 @@ esac
 
 # check_variables WORD ...: all of them are -var NAME VALUE, and no NAME is given in another way.
 check_variables() {
+  given=' '
   while [ $# -gt 0 ]; do
     if [ $# -lt 3 ] || [ "$1" != -var ]; then refuse "'$*', expected -var NAME VALUE"; fi
     case $2 in
       out) refuse "-var out $3: give the run folder as OUT=$3" ;;
+      *[!a-zA-Z0-9_]*) refuse "-var $2: expected the name of a parameter of the deck" ;;
       preset) refuse "-var preset $3: give the preset as the first argument" ;;
     esac
+    case $given in
+      *" $2 "*) refuse "-var $2 is given twice" ;;
+    esac
+    given="$given$2 "
     shift 3
   done
 }

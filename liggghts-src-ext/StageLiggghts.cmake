@@ -78,8 +78,8 @@ function(copy_sources to)
   file(REMOVE_RECURSE ${to}.unpacked)
 endfunction()
 
-# Replaces text that today's compilers reject. A tree in which it is mended already passes; any other
-# text is not the LIGGGHTS we know.
+# Replaces text of a stock source (stock/mends.cmake says which and why). A tree in which it is mended
+# already passes; any other text is not the LIGGGHTS we know.
 function(mend folder name old new)
   set(file ${folder}/${name})
   file(READ ${file} text)
@@ -92,6 +92,8 @@ function(mend folder name old new)
     stop("${source} is not LIGGGHTS 3.8.0 (${name} lacks '${old}'): ${how_to_help}")
   endif()
 endfunction()
+
+include(${ext}/stock/mends.cmake)
 
 function(make_sh folder what)
   execute_process(COMMAND sh Make.sh ${what} WORKING_DIRECTORY ${folder}
@@ -168,6 +170,8 @@ endfunction()
 # The staged folder appears under its name when it is complete.
 function(stage_stock_sources)
   file(SHA256 ${CMAKE_CURRENT_FUNCTION_LIST_FILE} recipe)
+  file(SHA256 ${ext}/stock/mends.cmake mends)
+  string(APPEND recipe " ${mends}")
   set(stamp ${LIGGGHTS_WORK}/staged.txt)
   if(EXISTS ${stamp} AND EXISTS ${staged})
     file(READ ${stamp} known)
@@ -181,12 +185,7 @@ function(stage_stock_sources)
   set(partial ${LIGGGHTS_WORK}/partial)
   file(REMOVE_RECURSE ${staged} ${partial} ${partial}.unpacked)
   copy_sources(${partial})
-  mend(${partial} utils.h
-    "static_cast< std::ostringstream & >(( std::ostringstream() << std::dec << a ) ).str()"
-    "std::to_string(a)")
-  mend(${partial} finish.cpp "lists[m]->numneigh > 0" "lists[m]->numneigh != nullptr")
-  # One error in five is followed by a joke, printed from a string that is gone by then: garbage.
-  mend(${partial} error_special.h "return msg.c_str()" "return 0")
+  mend_stock(${partial})
   split_granular_styles(${partial})
   write_stock_combinations(${partial})
   # Without the time of the build, and the commit asked for at run time: an unchanged tree must not

@@ -13,8 +13,20 @@
 # Exit status: 0 when the run is complete, that of LIGGGHTS, or 1 when a signal has stopped it.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+refuse() {
+  echo "run_one.sh: $1" >&2
+  exit 2
+}
+
+[ $# -gt 0 ] || refuse "expected a run folder, then -var NAME VALUE ..."
 out=$1
 shift
+case $out in
+  -*) refuse "run folder '$out' begins with -: write ./$out" ;;
+esac
+case ${RANKS:-1} in
+  *[!0-9]* | 0*) refuse "RANKS is '$RANKS', expected a number of MPI ranks, 1 or more" ;;
+esac
 
 # The bed is at rest; an empty file is one that was being written.
 is_complete() {
@@ -40,18 +52,13 @@ if is_complete; then
   echo "$out is complete: not run again"
   exit 0
 fi
-if [ -e "$out" ] && [ ! -e "$out/parameters.json" ] && [ -n "$(find "$out" -type f | head -n 1)" ]; then
+if [ -e "$out" ] && [ ! -e "$out/parameters.json" ] && [ -n "$(find "$out" -type f ! -name .lock ! -name parameters.json.part | head -n 1)" ]; then
   echo "$out exists and is not a run folder: choose another" >&2
   exit 1
 fi
 last=$(python3 "$here/whole_restart.py" "$out")
 if [ -n "$last" ]; then
   echo "$out was interrupted: going on from $last"
-  # What comes after that file is written anew.
-  step=${last%.restart}
-  step=${step##*.}
-  awk -F , -v step="$step" 'NR == 1 || (NF == 8 && $1 <= step)' "$out/energies.csv" > "$out/energies.csv.kept"
-  mv "$out/energies.csv.kept" "$out/energies.csv"
   set -- "$@" -var resume "$last"
 elif [ -e "$out" ]; then
   aside=${ASIDE:-$parent}/$(basename "$out").interrupted.$(date +%Y%m%d-%H%M%S)
@@ -66,9 +73,8 @@ if [ "${RANKS:-1}" -gt 1 ]; then
   # Runs side by side would bind their ranks to the same cores.
   launcher="mpiexec --oversubscribe --bind-to none -np $RANKS"
 fi
-# LIGGGHTS prints an error just before it aborts: without line buffering it would be lost. The deck
-# opens the run's log; before that there is none, which runs side by side would share.
-$launcher stdbuf -oL "${LIGGGHTS:-$here/../../build/bin/liggghts}" -log none \
+# The deck opens the run's log; before that there is none, which runs side by side would share.
+$launcher "${LIGGGHTS:-$here/../../build/bin/liggghts}" -log none \
   -in "$here/in.deposition" -var out "$out" "$@"
 # LIGGGHTS ends well, too, when a signal has stopped it on the way.
 if ! is_complete; then

@@ -37,6 +37,8 @@ refuses "'particles 30', expected -var NAME VALUE" quick particles 30
 refuses "'-var particles', expected -var NAME VALUE" quick -var seed 1 -var particles
 refuses "'--var particles 30', expected -var NAME VALUE" quick --var particles 30
 refuses "-var out here: give the run folder as OUT=here" quick -var out here
+refuses "-var seed is given twice" quick -var seed 1 -var seed 2
+refuses "'6 7', expected -var NAME VALUE" quick -var seed 5 6 7
 refuses "-var preset paper: give the preset as the first argument" quick -var preset paper
 for ranks in abc 1.5 0 -1; do
   export RANKS=$ranks

@@ -13,6 +13,9 @@
 #include "modify.h"
 #include "update.h"
 #include "vector_liggghts.h"
+#ifdef RODPACK_STAGED
+#include "contact_ends.h"
+#endif
 
 namespace LAMMPS_NS {
 
@@ -28,6 +31,14 @@ constexpr int torque_values = sizeof(ForceChange) / sizeof(double);
 }  // namespace
 
 ContactEvents* ContactEvents::armed_ = NULL;
+
+void ContactEvents::follow_ends(bool yes) {
+#ifdef RODPACK_STAGED
+  rodpack::ends_are_followed() = yes;
+#else
+  static_cast<void>(yes);
+#endif
+}
 
 void ContactEvents::create_properties(const char* caller) {
   const auto add = [&](const char* name, int values, const char* restart) {

@@ -23,8 +23,13 @@ class ContactEvents : protected Pointers {
   /// `bodies` holds those whose spheres are corrected. A contact of a sphere that belongs to none
   /// has no events: what its partner would gain, it would not lose.
   ContactEvents(class LAMMPS* lmp, const class FixMultisphere* bodies)
-      : Pointers(lmp), bodies_(bodies) {}
-  ~ContactEvents() { disarm(); }
+      : Pointers(lmp), bodies_(bodies) {
+    follow_ends(true);
+  }
+  ~ContactEvents() {
+    disarm();
+    follow_ends(false);
+  }
 
   // ---- for the contact models
 
@@ -94,6 +99,10 @@ class ContactEvents : protected Pointers {
   const StampedJump& stored(const class FixPropertyAtom* property, int i) const;
   const rodpack::SpatialJump* last_jump(int i) const;
   bool find_jump(const Contact& contact, rodpack::ContactJump& jump) const;
+
+  /// Asks stock code for the end of every contact, where it is mended to tell
+  /// (stock/contact_ends.h).
+  static void follow_ends(bool yes);
 
   static ContactEvents* armed_;
   const class FixMultisphere* bodies_;

@@ -82,10 +82,9 @@ void FixWallGranSolid::post_force_primitive(int) {
   for (int i : near_) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double overlap = depth(i);
-    if (overlap < -(neighbor->contactDistanceFactor - 1.0) * radius_[i]) {
-      if (histories) std::fill_n(histories[i], dnum(), 0.0);
-      continue;
-    }
+    const bool far = overlap < -(neighbor->contactDistanceFactor - 1.0) * radius_[i];
+    // A contact has an end, however far the sphere has gone in its last step.
+    if (far && (!histories || is_empty(histories[i]))) continue;
     contact.i = i;
     contact.contact_history = histories ? histories[i] : NULL;
     contact.radi = radius_[i];
@@ -96,5 +95,10 @@ void FixWallGranSolid::post_force_primitive(int) {
     for (int d = 0; d < 3; ++d) contact.delta[d] = 0.0;
     contact.delta[axis_] = free_side_ * (contact.radi - contact.deltan);
     impl->compute_force(this, contact, overlap >= 0.0, at_rest);
+    if (far) std::fill_n(histories[i], dnum(), 0.0);
   }
+}
+
+bool FixWallGranSolid::is_empty(const double* history) const {
+  return std::all_of(history, history + dnum(), [](double value) { return value == 0.0; });
 }

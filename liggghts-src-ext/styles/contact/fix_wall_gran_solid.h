@@ -34,6 +34,8 @@ class FixWallGranSolid : public FixWallGran {
   FixWallGranSolid(class LAMMPS* lmp, Arguments given);
   double depth(int i) const { return free_side_ * (position_ - x_[i][axis_]) + radius_[i]; }
   void refuse_what_it_cannot() const;
+  /// Whether a sphere's contact with the plane remembers nothing.
+  bool is_empty(const double* history) const;
 
   int axis_;
   double position_;

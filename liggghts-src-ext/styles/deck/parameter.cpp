@@ -6,12 +6,15 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <map>
 #include <set>
+#include <sstream>
 
 #include "comm.h"
 #include "input.h"
 #include "rodpack/version.h"
+#include "run_files.h"
+#include "run_parameters.h"
 #include "stop_run.h"
 #include "style_arguments.h"
 #include "variable.h"
@@ -67,7 +70,7 @@ void Parameter::command(int narg, char** arg) {
   else if (narg >= 2 && words[0] == "compare" && (narg == 2 || words[2] == "except"))
     compare(words[1], {words.begin() + std::min(narg, 3), words.end()});
   else if (narg == 1 && words[0] == "clear")
-    declared_.clear();
+    clear();
   else if (narg == 1 && words[0] == "version")
     set_variable("rodpack", "string", json_of_rodpack());
   else
@@ -76,17 +79,21 @@ void Parameter::command(int narg, char** arg) {
 
 void Parameter::declare(int narg, char** arg) {
   if (narg < 3)
-    stop_run(
-        lmp,
-        "expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME choice A B "
-        "...', got " +
-            std::to_string(narg) + " words");
+    stop_run(lmp,
+             "expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME "
+             "choice A B "
+             "...', got " +
+                 std::to_string(narg) + " words");
   Declaration it{arg[0], arg[1], take_value(arg[0], arg[2]), ""};
   StyleArguments arguments(lmp, "parameter '" + it.name + "'", narg, arg, 2);
   if (it.type == "choice") {
     declare_choice(it, arguments);
   } else if (it.type == "text") {
-    set_variable(it.name + "_given", "string", it.value == arguments.peek() ? "0" : "1");
+    const std::string fallback = arguments.word("default", "a text");
+    set_variable(it.name + "_given", "string", it.value == fallback ? "0" : "1");
+    if (arguments.more() && arguments.new_keyword() != "path")
+      arguments.reject_keyword(arg[3], "path");
+    if (arguments.given("path")) check_path(it, arguments);
   } else if (it.type == "real" || it.type == "integer") {
     declare_number(it, arguments);
   } else {
@@ -96,6 +103,26 @@ void Parameter::declare(int narg, char** arg) {
                                  [&](const Declaration& d) { return d.name == it.name; }),
                   declared_.end());
   declared_.push_back(it);
+  std::string text;
+  for (const auto& d : declared_) text += json_entry(d) + "\n";
+  run_parameters() = text;
+}
+
+void Parameter::clear() {
+  declared_.clear();
+  run_parameters().clear();
+}
+
+/// A path stands in commands without quotes, which would keep variables from their values.
+void Parameter::check_path(const Declaration& it, const StyleArguments& arguments) {
+  const bool plain = std::all_of(it.value.begin(), it.value.end(), [](unsigned char c) {
+    return c > ' ' && c != 127 && !std::strchr("\"'`$#&*%;|<>()\\", c);
+  });
+  if (it.value.empty() || it.value[0] == '-' || !plain)
+    arguments.fail(
+        "expected a path without blanks, quotes and any of ` $ # & * % ; | < > ( ) \\, "
+        "that does not begin with -, got '" +
+        it.value + "'");
 }
 
 void Parameter::declare_choice(const Declaration& it, StyleArguments& arguments) {
@@ -140,16 +167,25 @@ void Parameter::declare_number(Declaration& it, StyleArguments& arguments) {
 
 void Parameter::check_command_line() const {
   const std::vector<std::string> words = command_line();
-  for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+  std::map<std::string, std::string> given;
+  for (std::size_t k = 0; k + 2 < words.size(); ++k) {
     if (words[k] != "-var" && words[k] != "-v") continue;
-    const std::string& name = words[k + 1];
-    if (std::any_of(declared_.begin(), declared_.end(),
-                    [&](const Declaration& d) { return d.name == name; }))
-      continue;
-    std::string list;
-    for (const auto& d : declared_) list += " " + d.name;
-    stop_run(lmp,
-             "unknown deck parameter '" + name + "' on the command line; this deck takes:" + list);
+    const std::string &name = words[k + 1], &value = words[k + 2];
+    if (std::none_of(declared_.begin(), declared_.end(),
+                     [&](const Declaration& d) { return d.name == name; })) {
+      std::string list;
+      for (const auto& d : declared_) list += " " + d.name;
+      stop_run(lmp, "unknown deck parameter '" + name +
+                        "' on the command line; this deck takes:" + list);
+    }
+    // LIGGGHTS takes the first of several, as it does of several values.
+    if (!given.emplace(name, value).second)
+      stop_run(lmp, "deck parameter '" + name + "' is given twice on the command line, as '" +
+                        given[name] + "' and '" + value + "'");
+    k += 2;
+    if (k + 1 < words.size() && words[k + 1].compare(0, 1, "-") != 0)
+      stop_run(lmp, "deck parameter '" + name + "': '" + words[k + 1] + "' follows its value '" +
+                        value + "' on the command line, expected one value");
   }
 }
 
@@ -166,13 +202,10 @@ void Parameter::write(const std::string& file) const {
   if (comm->me == 0 && std::ifstream(file)) {
     result = exists;
   } else if (comm->me == 0) {
-    std::ofstream out(file);
-    out << "{\n  \"format\": \"rodpack-run 1\"";
-    out << ",\n  \"rodpack\": " << json_of_rodpack();
-    for (const auto& d : declared_) out << ",\n  " << json_entry(d);
-    out << "\n}\n";
-    out.close();
-    if (!out) result = failed;
+    std::string text = "{\n  \"format\": \"rodpack-run 1\"";
+    text += ",\n  \"rodpack\": " + json_of_rodpack();
+    for (const auto& d : declared_) text += ",\n  " + json_entry(d);
+    if (!write_whole(file, text + "\n}\n").empty()) result = failed;
   }
   MPI_Bcast(&result, 1, MPI_INT, 0, world);
   if (result == exists)
@@ -190,9 +223,14 @@ void Parameter::compare(const std::string& file, const std::set<std::string>& ex
       stop_run(lmp, "parameter compare: '" + name + "' after 'except' is no parameter");
   std::string difference;
   if (comm->me == 0) {
-    std::ifstream in(file);
-    if (!in)
-      difference = "cannot read '" + file + "': expected the parameters of the run to go on with";
+    const bool of_restart = file == "restart";
+    std::ifstream from_file(of_restart ? "" : file);
+    std::istringstream from_restart(parameters_of_restart());
+    std::istream& in = of_restart ? static_cast<std::istream&>(from_restart) : from_file;
+    if (of_restart ? parameters_of_restart().empty() : !in)
+      difference = of_restart ? "the restart file does not tell the parameters of its run"
+                              : "cannot read '" + file +
+                                    "': expected the parameters of the run to go on with";
     std::vector<std::string> lines;  // as write() made them: one entry a line
     for (std::string line; std::getline(in, line);) {
       line.erase(0, line.find_first_not_of(' '));
@@ -207,7 +245,8 @@ void Parameter::compare(const std::string& file, const std::set<std::string>& ex
       const auto before = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
         return line.compare(0, key.size(), key) == 0;
       });
-      difference = "parameter '" + d.name + "': expected as in '" + file + "', " +
+      difference = "parameter '" + d.name + "': expected as in " +
+                   (of_restart ? "the restart file" : "'" + file + "'") + ", " +
                    (before == lines.end() ? "where it is missing" : before->substr(key.size())) +
                    ", got " + d.value;
     }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dump_multisphere_body.h"
 
+#include <algorithm>
 #include <cmath>
 #include "atom.h"
 #include "body_chains.h"
+#include "body_frames.h"
 #include "domain.h"
 #include "fix_multisphere.h"
 #include "math_const.h"
@@ -20,7 +22,7 @@ using MathConst::MY_PI;
 namespace {
 
 /// Direction of a vector in the x-y plane, rad in [0, 2 pi).
-double planar_angle(const double* axis) {
+double planar_angle(const std::array<double, 3>& axis) {
   const double angle = std::atan2(axis[1], axis[0]);
   if (angle > 0.0) return angle;
   const double positive = angle + MY_2PI;
@@ -49,7 +51,7 @@ void DumpMultisphereBody::list_bodies(const ParticleIdentity& particles) {
   if (!particles.bodies() || particles.bodies()->n_body() == 0) return;
   Multisphere& data = particles.bodies()->data();
   const std::vector<BodyChain> chains = body_chains(lmp, particles);
-  double** const axis = data.extract_double_vector("ex_space");
+  const std::vector<BodyFrame> frames = body_frames(lmp, particles);
   auto& type = *data.prop().getElementProperty<ScalarContainer<int>>("clumptype");
   for (int k = 0; k < data.n_body(); ++k) {
     rodpack::body_dump::BodyRow row;
@@ -58,10 +60,10 @@ void DumpMultisphereBody::list_bodies(const ParticleIdentity& particles) {
     row.nspheres = data.nrigid(k);
     data.xcm(row.centre, k);
     domain->remap(row.centre);
-    row.angle = planar_angle(axis[k]);
+    row.angle = planar_angle(frames[k].axis);
     data.vcm(row.velocity, k);
     data.omega(row.angular_velocity, k);
-    data.quat(row.quaternion, k);
+    std::copy(frames[k].quaternion.begin(), frames[k].quaternion.end(), row.quaternion);
     row.half_length = chains[k].half_length;
     row.radius = chains[k].radius;
     row.curvature = chains[k].curvature;

@@ -37,6 +37,11 @@ DumpStressGoldhirsch::DumpStressGoldhirsch(LAMMPS* lmp, int narg, char** arg)
 }
 
 void DumpStressGoldhirsch::init_style() {
+  if (std::string(update->unit_style) != "si")
+    stop_run(lmp, *this,
+             std::string("its columns are named with units of SI: the deck's units are ") +
+                 update->unit_style + ", expected si");
+  require_folder(lmp, *this, filename);
   const int index = modify->find_compute(compute_id_.c_str());
   compute_ = index < 0 ? NULL : dynamic_cast<ComputeStressGoldhirsch*>(modify->compute[index]);
   if (!compute_)

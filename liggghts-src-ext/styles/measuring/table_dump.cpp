@@ -2,6 +2,7 @@
 #include "table_dump.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include "domain.h"
@@ -18,13 +19,35 @@ std::string name_at_step(std::string name, long long step, int width) {
   return name.replace(star, 1, digits);
 }
 
+void require_folder(LAMMPS* lmp, const Dump& dump, const std::string& file) {
+  int rank = 0;
+  MPI_Comm_rank(lmp->world, &rank);
+  std::string fault = rank == 0 ? fault_of_folder(file) : "";
+  int size = static_cast<int>(fault.size());
+  MPI_Bcast(&size, 1, MPI_INT, 0, lmp->world);
+  fault.resize(size);
+  MPI_Bcast(&fault[0], size, MPI_CHAR, 0, lmp->world);
+  if (size > 0) stop_run(lmp, dump, "Cannot write dump file " + file + ": " + fault);
+}
+
 TableDump::TableDump(LAMMPS* lmp, int narg, char** arg) : Dump(lmp, narg, arg) {
   if (narg > 5) stop_run(lmp, *this, std::string("unknown argument ") + arg[5]);
   if (binary) stop_run(lmp, *this, std::string("is text only, not ") + filename);
+  gzipped_ = compressed != 0;
+  compressed = 0;  // the base class would close a pipe to a shell
+}
+
+TableDump::~TableDump() {
+  if (multifile || !fp) return;
+  // The base class closes what is still open, which is too late for gzip.
+  fclose(fp);
+  fp = NULL;
+  finish_file();
 }
 
 void TableDump::init_style() {
   if (domain->triclinic) stop_run(lmp, *this, "does not support a triclinic box");
+  require_folder(lmp, *this, filename);
   // Of 'dump_modify format', one conversion for all real numbers makes sense here.
   const char* const format_real = format_user ? format_user : "%.16g";
   const char* const letter = format_real + std::strlen(format_real) - 1;
@@ -38,7 +61,12 @@ void TableDump::init_style() {
   if (!multifile) openfile();
 }
 
-// Replaces Dump::openfile, which has room for 115 characters of a compressed file's name only.
+void TableDump::write() {
+  Dump::write();
+  if (multifile && filewriter) finish_file();
+}
+
+// Replaces Dump::openfile, which hands the name of a compressed file to a shell.
 void TableDump::openfile() {
   if (singlefile_opened) return;
   if (!multifile) singlefile_opened = 1;
@@ -46,15 +74,18 @@ void TableDump::openfile() {
       name_at_step(multiproc ? multiname : filename, update->ntimestep, padflag);
   fp = NULL;
   if (!filewriter) return;
-  if (compressed) {
-    if (name.find('\'') != std::string::npos)
-      stop_run_from_one_rank(lmp, *this, "file name " + name + " contains a quote");
-    fp =
-        popen((std::string("gzip -6 ") + (append_flag ? ">> '" : "> '") + name + "'").c_str(), "w");
-  } else {
-    fp = fopen(name.c_str(), append_flag ? "a" : "w");
-  }
-  if (!fp) stop_run_from_one_rank(lmp, *this, "Cannot open dump file " + name);
+  const OutputFile::Kind kind = append_flag ? OutputFile::Kind::appended
+                                : multifile ? OutputFile::Kind::whole
+                                            : OutputFile::Kind::growing;
+  fp = file_.open(name, kind, gzipped_);
+  if (!fp)
+    stop_run_from_one_rank(lmp, *this, "Cannot open dump file " + name + ": " + strerror(errno));
+}
+
+void TableDump::finish_file() {
+  const std::string fault = file_.finish();
+  if (!fault.empty())
+    stop_run_from_one_rank(lmp, *this, "Cannot write dump file " + file_.name() + ": " + fault);
 }
 
 int TableDump::count() {
@@ -70,6 +101,9 @@ void TableDump::pack(int* ids) {
 }
 
 void TableDump::write_header(bigint entries) {
+  // As LAMMPS writes it: whoever reads metres must not take these numbers for metres.
+  if (std::strcmp(update->unit_style, "si") != 0)
+    fprintf(fp, "ITEM: UNITS\n%s\n", update->unit_style);
   fprintf(fp, "ITEM: TIMESTEP\n" BIGINT_FORMAT "\n", update->ntimestep);
   fprintf(fp, "ITEM: NUMBER OF %s\n" BIGINT_FORMAT "\n", label_.c_str(), entries);
   fprintf(fp, "ITEM: BOX BOUNDS %s\n", boundstr);
@@ -91,6 +125,9 @@ void TableDump::write_data(int lines, double* values) {
     }
     fputc('\n', fp);
   }
+  const std::string fault = OutputFile::flush(fp);
+  if (!fault.empty())
+    stop_run_from_one_rank(lmp, *this, "Cannot write dump file " + file_.name() + ": " + fault);
 }
 
 }  // namespace LAMMPS_NS

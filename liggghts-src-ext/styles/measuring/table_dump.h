@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 #include "dump.h"
+#include "output_file.h"
 #include "rodpack/dumps/columns.h"
 
 namespace LAMMPS_NS {
@@ -13,12 +14,17 @@ namespace LAMMPS_NS {
 /// Returns `name` with its * replaced by the step, padded with zeros to `width` digits.
 std::string name_at_step(std::string name, long long step, int width);
 
+/// Stops the run, on all ranks, unless a file can be made in the folder of `file`.
+void require_folder(class LAMMPS* lmp, const Dump& dump, const std::string& file);
+
 /// Base of our dumps: writes a LIGGGHTS text dump with fixed columns, whose rows the derived style
 /// lists anew for each frame. File names are as for any dump: * stands for the step, % for the
-/// rank, and .gz compresses.
+/// rank, and .gz compresses. A file per frame appears when it is whole.
 class TableDump : public Dump {
  public:
   TableDump(class LAMMPS* lmp, int narg, char** arg);
+  ~TableDump();
+  void write();
 
  protected:
   /// Sets the columns of the file; `label` is ATOMS or ENTRIES, as the header lines have it.
@@ -47,6 +53,10 @@ class TableDump : public Dump {
   void write_data(int lines, double* values);
 
  private:
+  void finish_file();
+
+  OutputFile file_;
+  bool gzipped_;
   std::string label_;
   std::vector<rodpack::DumpColumn> columns_;
   std::vector<double> rows_;  // of this rank and frame, one after the other

@@ -68,6 +68,8 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
 void FixMultisphereAB::parse(int narg, char** arg) {
   // The base class reads its own keywords only up to the first one of ours, hence all of them here.
   StyleArguments arguments(lmp, narg, arg);
+  // Of the spheres of another group the base class makes no bodies: it deletes them without a word.
+  arguments.require_group_all("moves every body");
   bool events = true;
   while (arguments.more()) {
     const std::string keyword = arguments.word("", "");

@@ -89,7 +89,6 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   settings.types = atom->ntypes;
   settings.laws = contacts_.laws();
   settings.walls = contacts_.walls();
-  settings.close_factor = neighbor->contactDistanceFactor;
   if (gravity_) {
     double acceleration[3];
     gravity_->get_gravity(acceleration);
@@ -104,8 +103,8 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   }
   ranks_->largest(largest, 4);
   settings.instructions = instructions_;
-  // So that a pair that parts is listed for as long as LIGGGHTS's models are told of it.
-  const double least = (settings.close_factor - 1.0) * largest[3];
+  // A pair that parts has to be listed still.
+  const double least = (neighbor->contactDistanceFactor - 1.0) * largest[3];
   if (min_skin_ > 0.0 && min_skin_ < least) {
     char text[160];
     std::snprintf(

@@ -154,10 +154,7 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   PlanarEvents* const followed = follows_ ? &events_ : nullptr;
 
   if (!touches) {
-    const bool close = contact.is_wall
-                           ? -contact.deltan < (settings_.close_factor - 1.0) * contact.radi
-                           : contact.r < settings_.close_factor * contact.radsum;
-    if (followed && close) {
+    if (followed) {
       end_normal_force(contact, normal_history, settings_.dt, *followed);
       end_tangential_force(contact, history, tangential_step(), *followed);
     }

@@ -54,9 +54,6 @@ struct PlanarSettings {
   /// its displacement in `skin_steps` steps at its present speed, within [min_skin, max_skin] (m).
   /// The end of a contact is not corrected if the spheres part by more than both skins in a step.
   double skin_steps = 80.0, min_skin = 1e-4, max_skin = 1e-3;
-  /// The end of a contact is corrected if the spheres are closer than this times the sum of their
-  /// radii after the step in which they part: LIGGGHTS's contact distance factor.
-  double close_factor = 1.02;
   /// With several ranks: a run ends before a point of a body has gone this far along x or y, m.
   double farthest[2] = {1e300, 1e300};
   PlanarInstructions instructions = PlanarInstructions::automatic;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_CONTACT_ENDS_H
+#define RODPACK_CONTACT_ENDS_H
+
+namespace rodpack {
+
+/// Whether an integrator makes good the ends of contacts. Stock code then hands every contact that
+/// has ended to its models, and not those alone that are still as close as the contact distance
+/// factor of neigh_modify says: in one step a fast pair goes further.
+inline bool& ends_are_followed() {
+  static bool followed = false;
+  return followed;
+}
+
+/// Whether a pair was in contact when it was evaluated last, and its end is wanted.
+inline bool wants_end(const int* contact_flags) {
+  return contact_flags && *contact_flags && ends_are_followed();
+}
+
+/// The same of a sphere and a primitive wall, by their history of `values` doubles.
+inline bool wants_end(const double* history, int values) {
+  if (!history || !ends_are_followed()) return false;
+  for (int k = 0; k < values; ++k)
+    if (history[k] != 0.0) return true;
+  return false;
+}
+
+}  // namespace rodpack
+
+#endif

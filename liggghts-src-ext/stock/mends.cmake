@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# What is mended in the staged copy of LIGGGHTS 3.8.0, and why: doc/background/stock_mends.md says it for users.
+# Included by StageLiggghts.cmake, whose mend(FOLDER FILE OLD NEW) replaces a text or stops.
+
+# Our helpers come in behind the own error.h of a source.
+function(include_in folder name header)
+  mend(${folder} ${name} "#include \"error.h\"" "#include \"error.h\"
+#include \"${header}\"")
+endfunction()
+
+# What today's compilers reject.
+function(mend_for_compilers folder)
+  mend(${folder} utils.h
+    "static_cast< std::ostringstream & >(( std::ostringstream() << std::dec << a ) ).str()"
+    "std::to_string(a)")
+  mend(${folder} finish.cpp "lists[m]->numneigh > 0" "lists[m]->numneigh != nullptr")
+endfunction()
+
+# What is said arrives, on the screen and in the log, whatever they are and whoever says it.
+function(mend_messages folder)
+  # One error in five is followed by a joke, printed from a string that is gone by then: garbage.
+  mend(${folder} error_special.h "return msg.c_str()" "return 0")
+  # MPI_Abort throws away what waits in a buffer, and the log had nothing of an error of one rank.
+  include_in(${folder} error.cpp stock_streams.h)
+  mend(${folder} error.cpp "void Error::one(const char *file, int line, const char *str)
+{" "void Error::one(const char *file, int line, const char *str)
+{
+  rodpack::error_to_log(lmp,file,line,str);")
+  mend(${folder} error.cpp "MPI_Abort(world,1)" "rodpack::abort_run(lmp,world)")
+  mend(${folder} error.cpp "MPI_Abort(universe->uworld,1)" "rodpack::abort_run(lmp,universe->uworld)")
+  include_in(${folder} lammps.cpp stock_streams.h)
+  mend(${folder} lammps.cpp "  // make universe and single world the same, since no partition switch"
+    "  rodpack::keep_log(universe->ulogfile,logflag ? arg[logflag] : \"log.liggghts\");
+
+  // universe and world are the same, since no partition switch")
+  include_in(${folder} input.cpp stock_streams.h)
+  mend(${folder} input.cpp "    if (universe->nworlds == 1) universe->ulogfile = logfile;
+  }" "    if (universe->nworlds == 1) universe->ulogfile = logfile;
+  }
+  rodpack::keep_log(logfile,arg[0]);")
+  # They come with every run of bodies and hide the warnings that mean something. That thermo's own
+  # kinetic energy is not that of bodies is said where it is printed.
+  mend(${folder} fix_property_atom.cpp
+    "    if (narg > 29) error->warning(FLERR,\"Vector length in fix property/atom larger than 20. Are you sure you want that?\");
+" "")
+  mend(${folder} fix_multisphere.cpp
+    "    if(0 == comm->me)
+        error->warning(FLERR,\"Energy calculated for multisphere particles is currently not correct\");
+" "")
+  include_in(${folder} thermo.cpp stock_streams.h)
+  mend(${folder} thermo.cpp "void Thermo::compute_ke()
+{" "void Thermo::compute_ke()
+{
+  rodpack::warn_of_kinetic_energy(lmp);")
+endfunction()
+
+# What cannot be written stops the run at once, with a line that says so.
+function(mend_writing folder)
+  # Closed pipes and limits of file sizes are errors of a write, not silent ends of the program.
+  mend(${folder} main.cpp "#include \"signal_handling.h\"" "#include \"signal_handling.h\"
+#include \"stock_streams.h\"")
+  mend(${folder} main.cpp "  MPI_Init(&argc,&argv);" "  rodpack::let_writes_fail();
+  MPI_Init(&argc,&argv);")
+  mend(${folder} main.cpp "  lammps->input->file();
+  delete lammps;
+
+  MPI_Finalize();" "  lammps->input->file();
+  rodpack::check_streams(lammps);
+  delete lammps;
+
+  MPI_Finalize();
+  return SignalHandler::request_quit ? 1 : 0;")
+  mend(${folder} input.cpp "    if (SignalHandler::request_quit)
+        return;
+  }" "    rodpack::check_streams(lmp);
+    if (SignalHandler::request_quit)
+        return;
+  }")
+  mend(${folder} input.cpp "                fprintf(fp, \"%s\", line);
+            fclose(fp);" "                fprintf(fp, \"%s\", line);
+            rodpack::close_written(lmp,fp,\"the file of print\");")
+  mend(${folder} thermo.cpp "      if (flushflag) fflush(thermofile);
+    }
+" "      if (flushflag) fflush(thermofile);
+    }
+    rodpack::check_streams(lmp);
+")
+  include_in(${folder} fix_print.cpp stock_streams.h)
+  mend(${folder} fix_print.cpp "      fflush(fp);" "      rodpack::check_written(lmp,fp,\"the file of fix print\",id);")
+  include_in(${folder} dump.cpp stock_streams.h)
+  mend(${folder} dump.cpp "fflush(fp);" "rodpack::check_written(lmp,fp,\"dump\",filename);")
+  mend(${folder} dump.cpp "if (filewriter) fclose(fp);"
+    "if (filewriter) rodpack::close_written(lmp,fp,\"dump\",filename);")
+  mend(${folder} dump.cpp "if (filewriter) pclose(fp);"
+    "if (filewriter && pclose(fp) != 0) error->one(FLERR,\"Cannot write a compressed dump: gzip has failed\");")
+  mend(${folder} dump.cpp "char gzip[128];" "char gzip[strlen(filecurrent) + 16];")
+endfunction()
+
+# Restart files are whole, or refused. Their reader believed everything.
+function(mend_restarts folder)
+  include_in(${folder} write_restart.cpp restart_seal.h)
+  mend(${folder} write_restart.cpp "fopen(hfile,\"wb\")" "rodpack::open_restart(hfile)")
+  mend(${folder} write_restart.cpp "fopen(perproc,\"wb\")" "rodpack::open_restart(perproc)")
+  mend(${folder} write_restart.cpp "fclose(fp);" "rodpack::close_restart(lmp,fp);")
+  include_in(${folder} read_restart.cpp restart_seal.h)
+  mend(${folder} read_restart.cpp
+    "  if (narg != 1) error->all(FLERR,\"Illegal read_restart command\");"
+    "  const bool unsealed = narg == 2 && strcmp(arg[1],\"unsealed\") == 0;
+  if (narg != 1 && !unsealed)
+    error->all(FLERR,\"Illegal read_restart command: expected 'read_restart FILE' or 'read_restart FILE unsealed'\");")
+  mend(${folder} read_restart.cpp "    fp = fopen(hfile,\"rb\");
+" "    rodpack::require_whole_restart(lmp,hfile,unsealed);
+    fp = fopen(hfile,\"rb\");
+")
+  mend(${folder} read_restart.cpp "      fp = fopen(perproc,\"rb\");
+" "      rodpack::require_whole_restart(lmp,perproc,unsealed);
+      fp = fopen(perproc,\"rb\");
+")
+  # For whoever debugs, on every rank.
+  mend(${folder} read_restart.cpp "            printf(\"version %d %d\\n\", restart_major, restart_minor);
+" "")
+endfunction()
+
+# A contact that ends is handed to its models however far the pair has gone by then.
+function(mend_contact_ends folder)
+  mend(${folder} pair_gran_base.h "#include \"pair_gran.h\"" "#include \"pair_gran.h\"
+#include \"contact_ends.h\"")
+  mend(${folder} pair_gran_base.h "else if(rsq < contactDistanceMultiplier * radsum * radsum && "
+    "else if((rsq < contactDistanceMultiplier * radsum * radsum || rodpack::wants_end(sidata.contact_flags)) && ")
+  include_in(${folder} neigh_gran.cpp contact_ends.h)
+  mend(${folder} neigh_gran.cpp "if (rsq < radsum*radsum)" "if (rsq < radsum*radsum || rodpack::ends_are_followed())")
+  include_in(${folder} fix_wall_gran.cpp contact_ends.h)
+  mend(${folder} fix_wall_gran.cpp "    if(deltan <= 0 || deltan < contactDistanceMultiplier*radius[iPart])
+" "    if(deltan <= 0 || deltan < contactDistanceMultiplier*radius[iPart] ||
+       rodpack::wants_end(c_history ? c_history[iPart] : NULL,dnum_))
+")
+endfunction()
+
+# The inertia tensor of a template of spheres: I_zy was averaged with I_zx.
+function(mend_inertia folder)
+  mend(${folder} fix_template_multisphere.cpp "moi_[2][1] = (moi_[2][1]+moi_[2][0])/2.;"
+    "moi_[2][1] = (moi_[2][1]+moi_[1][2])/2.;")
+endfunction()
+
+function(mend_stock folder)
+  mend_for_compilers(${folder})
+  mend_messages(${folder})
+  mend_writing(${folder})
+  mend_restarts(${folder})
+  mend_contact_ends(${folder})
+  mend_inertia(${folder})
+endfunction()
