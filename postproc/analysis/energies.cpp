@@ -8,11 +8,11 @@ namespace rodpack {
 
 EnergyHistory read_energies(const std::string& energies_csv) {
   const Table table = read_table(energies_csv);
-  const auto& times = table.column("time_s");
-  const auto& translational = table.column("kinetic_translational_J");
-  const auto& rotational = table.column("kinetic_rotational_J");
-  const auto& normal = table.column("elastic_normal_J");
-  const auto& tangential = table.column("elastic_tangential_J");
+  const auto& times = table.finite("time_s");
+  const auto& translational = table.finite("kinetic_translational_J");
+  const auto& rotational = table.finite("kinetic_rotational_J");
+  const auto& normal = table.finite("elastic_normal_J");
+  const auto& tangential = table.finite("elastic_tangential_J");
   EnergyHistory energies;
   for (std::size_t i = 0; i < times.size(); ++i) {
     while (!energies.time.empty() && energies.time.back() >= times[i]) {

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "reading/angles.h"
+#include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
 #include "rodpack/averaging/kernel_share.h"
@@ -26,6 +27,19 @@ Vector vector_at(const Frame& frame, const std::array<const char*, 3>& columns, 
            frame.column(columns[2])[row]}};
 }
 
+}  // namespace
+
+Grid checked_grid(const Grid& grid) {
+  constexpr double most = 1e6;  // some 500 MB of fields
+  const double places = double{1} * grid.count[0] * grid.count[1];
+  if (!(places <= most))
+    throw DataError("grid: expected at most " + number_text(most) + " places, found " +
+                    number_text(places) + " (spacing " + number_text(grid.spacing[1], 4) + " m)");
+  return grid;
+}
+
+namespace {
+
 Grid field_grid(const Packing& packing, const FieldOptions& options) {
   const double scale = averaging_scale(packing, options);
   const auto& walls = packing.walls;
@@ -38,8 +52,8 @@ Grid field_grid(const Packing& packing, const FieldOptions& options) {
                     " m, y " + number_text(window[2]) + " ... " + number_text(window[3]) +
                     " m is outside the container (" + walls.source + ")");
   try {
-    return filling_grid(2, {{window[0], window[2], 0}}, {{window[1], window[3], 0}},
-                        options.spacing.value_or(scale / 4));
+    return checked_grid(filling_grid(2, {{window[0], window[2], 0}}, {{window[1], window[3], 0}},
+                                     options.spacing.value_or(scale / 4)));
   } catch (const std::invalid_argument& reason) {
     throw DataError(reason.what());
   }
@@ -113,6 +127,37 @@ std::vector<Particle> read_particles(const Frame& bodies, const std::vector<Touc
   return particles;
 }
 
+namespace {
+
+// A contact far from the particles that it is of belongs to a damaged file, and would make branch
+// vectors of any length.
+void require_near(const Frame& contacts, const std::vector<SphereContact>& read,
+                  const Frame& bodies) {
+  if (!bodies.has("half_length")) return;
+  const auto& id = bodies.column("id");
+  const auto& half_length = bodies.column("half_length");
+  std::unordered_map<long, double> longest;
+  for (std::size_t row = 0; row < bodies.rows; ++row)
+    longest[static_cast<long>(id[row])] = 2 * half_length[row];
+  const auto check = [&](std::size_t row, long body, const Vector& centre, const Vector& point) {
+    const double distance =
+        std::hypot(point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]);
+    if (!(distance <= longest.at(body)))
+      throw DataError(contacts.file + ":" +
+                      std::to_string(contacts.header_line + 1 + static_cast<long>(row)) +
+                      ": expected the contact within " + number_text(longest.at(body), 4) +
+                      " m of the centre of particle " + std::to_string(body) +
+                      " (twice its half length), found " + number_text(distance, 4) + " m");
+  };
+  for (std::size_t row = 0; row < read.size(); ++row) {
+    const auto& contact = read[row];
+    check(row, contact.i, contact.centre_i, contact.point);
+    if (!contact.wall) check(row, contact.j, contact.centre_j, contact.point);
+  }
+}
+
+}  // namespace
+
 void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts) {
   ContactPairs pairs;
   if (contacts) {
@@ -120,6 +165,7 @@ void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* conta
       throw DataError(where(*contacts) + ": contacts of timestep " +
                       std::to_string(contacts->timestep) + ", expected " +
                       std::to_string(bodies.timestep) + " as in " + bodies.file);
+    require_planar_contacts(*contacts);
     const auto read = read_contacts(*contacts);
     std::unordered_set<long> known;
     for (const double id : bodies.column("id")) known.insert(static_cast<long>(id));
@@ -128,6 +174,7 @@ void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* conta
         if (!known.count(body))
           throw DataError(where(*contacts) + ": particle " + std::to_string(body) +
                           " of a contact is not in " + bodies.file);
+    require_near(*contacts, read, bodies);
     pairs = sum_pairs(read);
   }
   for (const auto& interaction : pairs.interactions) averages.add(interaction);

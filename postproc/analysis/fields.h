@@ -49,6 +49,9 @@ std::vector<Particle> read_particles(const Frame& bodies, const std::vector<Touc
 AveragingKernel averaging_kernel(const Packing& packing, const FieldOptions& options);
 CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptions& options);
 
+/// Returns `grid`. @throws DataError when it has more places than memory is meant for.
+Grid checked_grid(const Grid& grid);
+
 /// Adds the particles of a bodies frame and, unless null, the contacts of the same timestep to the
 /// sums.
 /// @throws DataError when a column is missing, the timesteps differ, or a contact names a particle

@@ -26,8 +26,9 @@ void ProfileSample::add(const Packing& packing, const Frame& bodies, const Frame
                      options_.spacing.value_or(averaging_scale(packing, options_) / 4));
     grid.count[0] = slice_columns;
     grid.spacing[0] = column;
-    averages_ = std::make_unique<CoarseGraining>(averaging_kernel(packing, options_), grid,
-                                                 averaging_options(packing, options_));
+    averages_ =
+        std::make_unique<CoarseGraining>(averaging_kernel(packing, options_), checked_grid(grid),
+                                         averaging_options(packing, options_));
   }
   add_frame(*averages_, bodies, &contacts);
   ++frames_;

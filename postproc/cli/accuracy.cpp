@@ -9,6 +9,7 @@
 #include "campaigns/beds/beds.h"
 #include "campaigns/launch/deck_folder.h"
 #include "campaigns/stability/stability.h"
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "reading/data_error.h"
 
@@ -57,17 +58,10 @@ bool wanted(const AccuracySettings& settings, const char* scene) {
 /// run.
 void check(const AccuracySettings& settings) {
   try {
-    for (const auto& name : settings.scenes)
-      if (name != beds_scene && name != stability_scene) accuracy_scene(name);
-    for (const auto& name : settings.methods) accuracy_method(name);
     bed_comparisons(settings.bed_methods, settings.bed_comparisons);
   } catch (const DataError& error) {
     throw CLI::ValidationError(error.what());
   }
-  for (const double value : settings.steps)
-    if (!(value >= 3 && value <= 1e5))
-      throw CLI::ValidationError("--steps: " + CLI::detail::to_string(value) +
-                                 ", expected 3 to 1e5 steps per contact");
 }
 
 void measure(const AccuracySettings& settings, const std::string& out) {
@@ -82,7 +76,7 @@ void measure(const AccuracySettings& settings, const std::string& out) {
 
 void add_bed_options(CLI::App& command, AccuracySettings& settings) {
   command.add_option("--seeds", settings.seeds, "beds per model")
-      ->check(CLI::Range(1, 1000))
+      ->check(whole_number(1, 1000))
       ->capture_default_str()
       ->type_name("N");
   command
@@ -91,24 +85,26 @@ void add_bed_options(CLI::App& command, AccuracySettings& settings) {
       ->delimiter(',')
       ->type_name("LIST");
   command.add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")
-      ->check(CLI::Range(1, 10000))
+      ->check(whole_number(1, 10000))
       ->capture_default_str()
       ->type_name("N");
   command.add_option("--per-line", settings.bed_scene.per_line, "rods per line of a bed")
-      ->check(CLI::Range(1, 10000))
+      ->check(whole_number(1, 10000))
       ->capture_default_str()
       ->type_name("N");
 }
 
 void add_places(CLI::App& command, AccuracyArguments& arguments) {
-  command.add_option("OUT", arguments.out, "folder of the results")->required();
+  command.add_option("OUT", arguments.out, "folder of the results")->required()->check(some_name());
   command
       .add_option("--liggghts", arguments.settings.liggghts.program,
                   "program to run [default: liggghts beside this program]")
+      ->check(existing_program())
       ->type_name("PROGRAM");
   command
       .add_option("--inputs", arguments.settings.inputs,
                   "the folder inputs/; default: that of the repository")
+      ->check(existing_folder())
       ->type_name("FOLDER");
 }
 
@@ -140,6 +136,7 @@ void add_accuracy(CLI::App& app) {
                      ->add_option("--scenes", settings.scenes,
                                   "scenes [default: " + listed(settings.scenes) + "]")
                      ->delimiter(',')
+                     ->check(one_of(settings.scenes))
                      ->type_name("LIST");
   auto* methods =
       command
@@ -149,17 +146,18 @@ void add_accuracy(CLI::App& app) {
               "events yes [default: " +
                   listed(accuracy_method_names()) + "; beds: " + listed(settings.bed_methods) + "]")
           ->delimiter(',')
+          ->check(one_of(accuracy_method_names()))
           ->type_name("LIST");
   auto* steps = command
                     ->add_option("--steps", settings.steps,
-                                 "time steps per contact, each at least 3 [default: 12 from 10.37 "
-                                 "to 500.37]")
+                                 "time steps per contact [default: 12 from 10.37 to 500.37]")
                     ->delimiter(',')
+                    ->check(number(3, 1e5))
                     ->type_name("LIST");
   auto* repeats = command
                       ->add_option("--repeats", settings.repeats,
                                    "timed runs per scene and method [default: 5]")
-                      ->check(CLI::Range(1, 1000))
+                      ->check(whole_number(1, 1000))
                       ->type_name("N");
   add_bed_options(*command, settings);
   command->add_flag("--quick", options->quick,

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "page/run_page.h"
 
@@ -27,6 +28,7 @@ void add_analyse(CLI::App& app) {
       "reads parameters.json, dumps/ and energies.csv there; writes results/quick/analysis/.");
   command->add_option("run_folder", options->folder, "folder that a simulation wrote")
       ->required()
+      ->check(some_name())
       ->type_name("RUN_FOLDER");
   command->add_flag("--all-frames", options->all_frames,
                     "export every frame to VTK, not only the last");

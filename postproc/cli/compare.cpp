@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "reading/number_text.h"
 
@@ -48,28 +49,29 @@ void add_compare(CLI::App& app) {
       "separation.csv, energies.csv, times.csv and figures into results/compare.");
   command->add_option("out", options->out, "new folder for the results")
       ->required()
+      ->check(some_name())
       ->type_name("OUT");
   command->add_option("--liggghts", options->liggghts.program, "LIGGGHTS; default: beside rodpack")
-      ->check(CLI::ExistingFile)
+      ->check(existing_program())
       ->type_name("PROGRAM");
   command
       ->add_option("--inputs", options->inputs,
                    "the folder inputs/; default: that of the repository")
-      ->check(CLI::ExistingDirectory)
+      ->check(existing_folder())
       ->type_name("FOLDER");
   const auto number = [command](const std::string& name, auto& value, const std::string& text,
                                 const CLI::Validator& range) {
     command->add_option(name, value, text)->check(range)->capture_default_str();
   };
-  number("--particles", options->particles, "number of rods", CLI::Range(2L, 100000L));
-  number("--seed", options->seed, "of angles and velocities", CLI::Range(1L, 1000000L));
-  number("--time", options->time, "simulated time, s", CLI::Range(1e-3, 1000.0));
-  number("--every", options->every, "steps between frames", CLI::Range(1L, 1000000L));
+  number("--particles", options->particles, "number of rods", whole_number(2, 100000));
+  number("--seed", options->seed, "of angles and velocities", whole_number(1, 1000000));
+  number("--time", options->time, "simulated time, s", cli::number(1e-3, 1000));
+  number("--every", options->every, "steps between frames", whole_number(1, 1000000));
   number("--limit", options->limit, "distance at which trajectories have parted, d_p",
-         CLI::Range(1e-15, 1e3));
-  number("--ranks", options->liggghts.ranks, "MPI ranks of each run", CLI::Range(1, 1024));
-  number("--rounds", options->rounds, "rounds of timing", CLI::Range(5, 1000));
-  number("--timed-steps", options->timed_steps, "steps of a timed run", CLI::Range(1L, 100000000L));
+         cli::number(1e-15, 1e3));
+  number("--ranks", options->liggghts.ranks, "MPI ranks of each run", whole_number(1, 1024));
+  number("--rounds", options->rounds, "rounds of timing", whole_number(5, 1000));
+  number("--timed-steps", options->timed_steps, "steps of a timed run", whole_number(1, 100000000));
   command->callback([options] { compare(*options); });
 }
 

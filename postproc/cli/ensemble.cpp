@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "ensemble/analyse_runs.h"
 #include "ensemble/case_mean.h"
@@ -117,13 +118,15 @@ void add_ensemble(CLI::App& app) {
       ->add_option("folders", options->folders,
                    "a study's folder, or run folders, or folders with run folders below them")
       ->required()
+      ->check(some_name())
       ->type_name("FOLDER");
   command
       ->add_option("-o,--output", options->out,
                    "folder for the results [default: STUDY/ensemble, else ensemble]")
+      ->check(name_of_folder())
       ->type_name("FOLDER");
   command->add_option("-j,--jobs", options->jobs, "runs that are analysed at the same time")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1, 1024))
       ->capture_default_str()
       ->type_name("N");
   command->add_flag("--allow-missing", options->allow_missing,
@@ -132,6 +135,7 @@ void add_ensemble(CLI::App& app) {
       ->add_option("--published", options->published,
                    "values to compare with [default: published.csv of the study's folder, else of "
                    "inputs/study/]")
+      ->check(existing_file())
       ->type_name("FILE");
   command->add_flag("--again", options->analyse_again, "analyse all runs again");
   command->callback([options] { make_ensemble(*options); });

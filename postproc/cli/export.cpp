@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "figures/vtk_export.h"
 #include "reading/parameters.h"
@@ -29,15 +30,17 @@ void add_export(CLI::App& app) {
       ->add_option("dumps", options->patterns,
                    "dump files, plain or .gz; quoted wildcards are fine")
       ->required()
+      ->check(some_name())
       ->type_name("FILE");
   command
       ->add_option(
           "--timestep", options->timestep,
           "length of a timestep, s [default: parameters.json beside the dump or one folder "
           "up; unknown: the index counts timesteps]")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number(1e6))
       ->type_name("S");
   command->add_option("-o,--output", options->folder, "folder to write to")
+      ->check(name_of_folder())
       ->capture_default_str()
       ->type_name("FOLDER");
 

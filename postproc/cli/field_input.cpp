@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "cli/checks.h"
 #include "reading/number_text.h"
 
 namespace rodpack::cli {
@@ -28,8 +29,7 @@ FieldOptions checked(const FieldInput& options) {
   auto fields = options.fields;
   const auto& w = options.window;
   if (w.empty()) return fields;
-  if (!(w[1] > w[0] && w[3] > w[2]))
-    throw CLI::ValidationError("--window", "expected XLO < XHI and YLO < YHI");
+  require_window(w);
   fields.window = {w[0], w[1], w[2], w[3]};
   return fields;
 }
@@ -41,19 +41,19 @@ void add_kernel_options(CLI::App& command, FieldInput& options) {
   auto* metres =
       command
           .add_option("--scale", fields.scale, "scale w of the averaging, m [default: 3 AR d_p]")
-          ->check(CLI::PositiveNumber)
+          ->check(length())
           ->type_name("M");
   command.add_option("--scale-in-dp", fields.scale_in_diameters, "the same in d_p")
-      ->check(CLI::PositiveNumber)
+      ->check(number(1e-3, 1e4))
       ->type_name("N")
       ->excludes(metres);
   command.add_option("--kernel", fields.kernel, "gaussian, lucy or heaviside")
-      ->check(CLI::IsMember({"gaussian", "lucy", "heaviside"}))
+      ->check(one_of({"gaussian", "lucy", "heaviside"}))
       ->capture_default_str();
   command
       .add_option("--tolerance", fields.tolerance,
                   "relative error allowed: cut-off of the Gaussian and points along a branch")
-      ->check(CLI::Range(1e-15, 0.1))
+      ->check(number(1e-15, 0.1))
       ->capture_default_str();
   command
       .add_option_function<std::string>(
@@ -66,10 +66,10 @@ void add_kernel_options(CLI::App& command, FieldInput& options) {
           "divide the densities by the kernel's share inside the container, so that they do not "
           "sink towards its edges: none, walls (the floor too) or walls-and-surface (of the bed; "
           "above it all is 0)")
-      ->check(CLI::IsMember({"none", "walls", "walls-and-surface"}))
+      ->check(one_of({"none", "walls", "walls-and-surface"}))
       ->default_str("none");
   command.add_option("--spacing", fields.spacing, "of the grid, m [default: w/4]")
-      ->check(CLI::PositiveNumber)
+      ->check(length())
       ->type_name("M");
 }
 
@@ -78,11 +78,12 @@ void add_contact_options(CLI::App& command, FieldInput& options) {
       .add_option("--contacts", options.contacts,
                   "dump files of the contacts of the same timesteps [default: the bodies' names "
                   "with 'contacts' for 'bodies']")
+      ->check(existing_files())
       ->type_name("FILE");
   command
       .add_option("--line", options.fields.line,
                   "integral along a branch vector: auto, exact, or 1 to 4 Gauss-Legendre points")
-      ->check(CLI::IsMember({"auto", "exact", "1", "2", "3", "4"}))
+      ->check(one_of({"auto", "exact", "1", "2", "3", "4"}))
       ->capture_default_str();
 }
 
@@ -93,6 +94,7 @@ void add_window(CLI::App& command, FieldInput& options) {
                   "to the surface where it "
                   "bounds what --normalise counts]")
       ->expected(4)
+      ->check(place())
       ->type_name("XLO XHI YLO YHI");
 }
 
@@ -105,10 +107,9 @@ void FieldInput::for_packings(bool with_contacts, const Visit& visit) const {
     contact_files = find_dumps(patterns);
   }
   input.for_frames([&](const Frame& bodies) {
-    if (input.all_frames && bodies.rows == 0) return;  // as at the start of a deposition
     const auto packing = read_packing(bodies, input.packing);
     if (!with_contacts) return visit(packing, bodies, nullptr);
-    const auto frame = frame_at(contact_files, bodies.timestep);
+    const auto frame = frame_beside(bodies, contact_files);
     if (frame.rows == 0 && !input.all_frames)
       throw DataError(frame.file + ": no contacts in the frame of timestep " +
                       std::to_string(frame.timestep) + ", there is no stress to measure");
@@ -124,12 +125,14 @@ GriddedFields::GriddedFields(const FieldInput& options, bool with_contacts)
                          time = time_of(bodies, options.input.packing);
                          sample.add(each, bodies, contacts);
                        });
+  passed_over = options.input.passed_over_line();
 }
 
 std::string GriddedFields::report() const {
   const Grid& grid = *sample.averages().grid();
   return describe(packing) + "\nw = " + number_text(sample.averages().kernel().scale(), 4) +
-         " m, grid " + std::to_string(grid.count[0]) + " x " + std::to_string(grid.count[1]) + "\n";
+         " m, grid " + std::to_string(grid.count[0]) + " x " + std::to_string(grid.count[1]) +
+         "\n" + passed_over;
 }
 
 }  // namespace rodpack::cli

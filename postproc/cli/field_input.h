@@ -37,6 +37,7 @@ struct GriddedFields {
   double time = 0;  // of the last one, s, or its timestep
 
   GriddedFields(const FieldInput& options, bool with_contacts);
+  std::string passed_over;     // frames that did not count, as a line for the report
   std::string report() const;  // packing, scale and grid, for the terminal
 };
 

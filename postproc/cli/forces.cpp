@@ -6,11 +6,13 @@
 #include <optional>
 
 #include "analysis/force_chains.h"
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "figures/contact_forces_figure.h"
 #include "figures/force_chains_figure.h"
 #include "figures/render.h"
+#include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/packing.h"
 
@@ -55,30 +57,28 @@ void measure(const ForcesArguments& options) {
   settings.friction = find_friction(files.back(), input.packing.parameters, settings.friction);
   ContactForceSample sample(settings);
   Frame last;
-  std::size_t empty = 0;
   input.for_frames([&](const Frame& frame) {
-    if (input.all_frames && frame.rows == 0) {  // as at the start of a deposition
-      ++empty;
-      return;
-    }
     std::optional<Frame> bodies;
-    if (!body_files.empty()) bodies = frame_at(body_files, frame.timestep);
+    if (!body_files.empty()) bodies = frame_beside(frame, body_files);
     sample.add(frame, bodies ? &*bodies : nullptr);
     if (bodies) packing.particle_diameter = sphere_diameter(*bodies, packing);
     last = frame;
   });
-  if (last.rows == 0) throw DataError(files.back() + ": no contacts in any frame");
   const auto forces = sample.result();
   force_lines(last);  // bad columns show before anything is written
   const auto& stem = options.stem;
   write_contact_force_tables(forces, stem);
   plot_contact_forces(forces, stem);
-  draw_force_chains(last, packing, stem + "_chains");
+  const auto not_planar = why_contacts_not_planar(last);
+  if (not_planar.empty()) draw_force_chains(last, packing, stem + "_chains");
   report(forces, std::cout);
-  if (empty > 0) std::cout << "frames without contacts, left out: " << empty << '\n';
+  std::cout << input.passed_over_line();
+  if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
   std::cout << "written: " << stem << ".csv .png .svg, ";
   if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
-  std::cout << stem << "_coordination.csv .png .svg, " << stem << "_chains.png .svg\n";
+  std::cout << stem << "_coordination.csv .png .svg";
+  if (not_planar.empty()) std::cout << ", " << stem << "_chains.png .svg";
+  std::cout << '\n';
 }
 
 }  // namespace
@@ -103,16 +103,17 @@ void add_forces(CLI::App& app) {
       ->add_option("--bodies", options->bodies,
                    "dump files of bodies with the same timesteps, to know the particles without "
                    "contact; a quoted wildcard is fine")
+      ->check(existing_files())
       ->type_name("FILE");
   command->add_option("--bin", options->forces.bin_width, "width of a bin, in mean forces")
-      ->check(CLI::Range(1e-3, 10.0))
+      ->check(number(1e-3, 10))
       ->capture_default_str()
       ->type_name("DF");
   command
       ->add_option("--friction", options->forces.friction,
                    "friction coefficient mu [default: parameters.json; unknown: no mobilised "
                    "friction]")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number(1000))
       ->type_name("MU");
   command->add_flag("--walls-too", options->forces.walls_too,
                     "contacts with walls count too, but not as touching particles");

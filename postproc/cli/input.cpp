@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/input.h"
 
+#include "cli/checks.h"
+#include "reading/checks/frame_pool.h"
 #include "reading/number_text.h"
 
 namespace rodpack::cli {
 
 void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
   const auto files = find_dumps(patterns);
-  if (all_frames)
-    for_each_frame(files, visit);
-  else
-    visit(last_frame(files));
+  if (!all_frames) return visit(last_frame(files));
+  FramePool pool;
+  bool any = false;
+  for_each_frame(files, [&](const Frame& frame) {
+    if (!pool.take(frame)) return;
+    any = true;
+    visit(frame);
+  });
+  if (!any) throw DataError(files.back() + ": no rows in any frame");
+  passed_over = pool.passed_over();
 }
 
 void add_files(CLI::App& command, Input& input, const std::string& kind) {
@@ -20,6 +28,7 @@ void add_files(CLI::App& command, Input& input, const std::string& kind) {
                       ", plain or .gz; quoted wildcards are fine; they are "
                       "ordered by timestep, and the last frame is used")
       ->required()
+      ->check(some_name())
       ->type_name("FILE");
 }
 
@@ -34,25 +43,28 @@ void add_packing_options(CLI::App& command, Input& input) {
                   "x of the left and right wall and y of the floor, m [default: parameters.json, "
                   "else the box bounds of the dump; a periodic direction has no walls]")
       ->expected(3)
+      ->check(place())
       ->type_name("LEFT RIGHT FLOOR");
   command
       .add_option("--dp", packing.particle_diameter,
                   "primary sphere diameter d_p, m [default: parameters.json, else the mean]")
-      ->check(CLI::PositiveNumber)
+      ->check(length())
       ->type_name("M");
   command
       .add_option("--ar", packing.aspect_ratio,
                   "aspect ratio AR [default: parameters.json, else the longest particle's]")
-      ->check(CLI::PositiveNumber)
+      ->check(number(1, 1000))
       ->type_name("AR");
   command
       .add_option("--parameters", packing.parameters,
                   "parameters.json of the run [default: beside the dump or one folder up]")
+      ->check(existing_file())
       ->type_name("FILE");
 }
 
 void add_output(CLI::App& command, std::string& stem) {
   command.add_option("-o,--output", stem, "start of the names of the files to write")
+      ->check(stem_of_files())
       ->capture_default_str()
       ->type_name("STEM");
 }

@@ -18,8 +18,12 @@ struct Input {
   bool all_frames = false;
   PackingOptions packing;
 
-  /// Calls `visit` with the last frame, or with every frame if the user asks for all.
+  /// Calls `visit` with the last frame, or with every frame that FramePool takes if the user asks
+  /// for all. @throws DataError when it takes none.
   void for_frames(const std::function<void(const Frame&)>& visit) const;
+  /// What FramePool has passed over by now, as a line for the report; empty if nothing.
+  std::string passed_over_line() const { return passed_over.empty() ? "" : passed_over + "\n"; }
+  mutable std::string passed_over;
 };
 
 /// Adds the dump files of `kind` ("bodies") as arguments without a name.

@@ -4,6 +4,17 @@
 #include "cli/commands.h"
 #include "rodpack/version.h"
 
+namespace {
+
+// Names of files may hold line ends and worse.
+std::string one_line(std::string text) {
+  for (char& each : text)
+    if (static_cast<unsigned char>(each) < ' ' || each == 127) each = '?';
+  return text;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace rodpack;
   constexpr int bad_data = 1;
@@ -36,9 +47,16 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : bad_usage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help, version
+    const auto commands = app.get_subcommands();
+    std::cerr << "rodpack: " << one_line(error.what()) << " (see 'rodpack "
+              << (commands.empty() ? "" : commands.front()->get_name() + " ") << "--help')\n";
+    return bad_usage;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "rodpack: not enough memory\n";
+    return bad_data;
   } catch (const std::exception& error) {
-    std::cerr << "rodpack: " << error.what() << '\n';
+    std::cerr << "rodpack: " << one_line(error.what()) << '\n';
     return bad_data;
   }
   return 0;

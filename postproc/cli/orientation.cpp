@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "figures/orientation_figure.h"
@@ -35,7 +36,7 @@ void add_orientation(CLI::App& app) {
       ->add_option("--bins", options->bins,
                    "number of bins over the whole range, centred on the multiples of their width "
                    "from 0 on [default: 5 degrees wide: 36, curved particles 72]")
-      ->check(CLI::Range(2, 3600))
+      ->check(whole_number(2, 3600))
       ->type_name("N");
   add_output(*command, options->stem);
 
@@ -53,7 +54,8 @@ void add_orientation(CLI::App& app) {
     plot_orientation_linear(distribution, stem);
     plot_orientation_polar(distribution, stem + "_polar");
     std::cout << setting << '\n'
-              << distribution.particles << " particles; left out: " << distribution.near_walls
+              << options->input.passed_over_line() << distribution.particles
+              << " particles; left out: " << distribution.near_walls
               << " closer than AR d_p to a wall, " << distribution.spheres << " spheres\n"
               << "S2 = " << number_text(distribution.nematic.order, 4) << " +- "
               << number_text(distribution.nematic.standard_error, 2) << ", director "

@@ -50,7 +50,8 @@ void add_profile(CLI::App& app) {
     write_profile_table(profile, stem + ".csv");
     plot_profile(profile, fit ? &*fit : nullptr, stem);
     std::cout << setting << '\n'
-              << "w = " << number_text(profile.scale, 4) << " m\n"
+              << options->input.passed_over_line() << "w = " << number_text(profile.scale, 4)
+              << " m\n"
               << report << '\n'
               << "written: " << stem << ".csv .png .svg\n";
   });

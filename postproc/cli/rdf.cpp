@@ -7,6 +7,7 @@
 
 #include "analysis/pairs/peak_configurations.h"
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "figures/pairs/peak_figure.h"
@@ -48,36 +49,41 @@ void write_explanation(const PeakExplanation& explanation, const Rdf& rdf,
 
 void add_rdf_options(CLI::App& command, RdfCommand& options) {
   command.add_option("--bin", options.rdf.bin_width, "width of a bin, in d_p")
-      ->check(CLI::Range(1e-3, 10.0))
+      ->check(number(1e-3, 10))
       ->capture_default_str()
       ->type_name("DR");
   command.add_option("--r-max", options.rdf.largest_distance, "largest distance, in d_p")
-      ->check(CLI::Range(1e-3, 1000.0))
+      ->check(number(1e-3, 1000))
       ->capture_default_str()
       ->type_name("R");
   command
       .add_option("--margin", options.rdf.margin,
                   "distance of the centres from walls and surface, in d_p [default: 10 + AR, at "
                   "most a third of the bed's smaller extent]")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number(0, 1000))
       ->type_name("R");
   auto* explain =
       command
           .add_option("--explain", options.explain,
                       "distance in d_p: find the configurations of the pairs of the peak of G(r) "
                       "next to it")
-          ->check(CLI::NonNegativeNumber)
+          ->check(number(0, 1000))
           ->type_name("R");
   command
       .add_option("--explain-width", options.explain_width,
                   "explain all bins within so many d_p of that distance, peak or not [default: "
                   "the peak's bins above half its prominence]")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number(0, 1000))
       ->type_name("DR")
       ->needs(explain);
 }
 
 void run_rdf(const RdfCommand& options) {
+  constexpr double most_bins = 1e4;
+  if (options.rdf.largest_distance / options.rdf.bin_width > most_bins)
+    throw CLI::ValidationError(
+        "--bin", "expected at most " + number_text(most_bins) + " bins up to --r-max, found " +
+                     number_text(options.rdf.largest_distance / options.rdf.bin_width));
   RdfSample sample(options.rdf);
   std::string setting;
   options.input.for_frames([&](const Frame& frame) {
@@ -92,8 +98,8 @@ void run_rdf(const RdfCommand& options) {
   write_rdf_table(rdf, options.stem + ".csv");
   plot_rdf(rdf, options.stem);
   std::cout << setting << '\n'
-            << rdf.centres << " centres further than " << number_text(rdf.margin, 4)
-            << " d_p from walls and surface"
+            << options.input.passed_over_line() << rdf.centres << " centres further than "
+            << number_text(rdf.margin, 4) << " d_p from walls and surface"
             << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "") << '\n'
             << "last quarter of r: G = " << number_text(rdf.tail_g, 4) << " +- "
             << number_text(rdf.tail_standard_error, 2) << '\n'

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "reading/packing.h"
@@ -29,8 +30,7 @@ void draw(const RenderArguments& options) {
   render.packing = options.input.packing;
   render.largest = options.largest;
   const auto& window = options.window;
-  if (!window.empty() && !(window[1] > window[0] && window[3] > window[2]))
-    throw CLI::ValidationError("--window", "expected XLO < XHI and YLO < YHI");
+  if (!window.empty()) require_window(window);
   options.input.for_frames([&](const Frame& frame) {
     if (!window.empty()) {
       const double unit = options.in_diameters ? sphere_diameter(frame, render.packing) : 1;
@@ -59,17 +59,24 @@ void add_render(CLI::App& app) {
                                                     {"fsum", SphereColour::fsum},
                                                     {"orientation", SphereColour::orientation},
                                                     {"none", SphereColour::none}};
+  std::vector<std::string> names;
+  for (const auto& [name, colour] : colours) names.push_back(name);
   command
-      ->add_option(
-          "--colour,--color", options->render.colour,
+      ->add_option_function<std::string>(
+          "--colour,--color",
+          [options, colours](const std::string& name) {
+            options->render.colour = colours.at(name);
+          },
           "force: magnitude of the net contact force on the sphere; fsum: sum of the "
           "magnitudes of its contact forces; orientation: of the particle's long axis; none")
-      ->transform(CLI::CheckedTransformer(colours, CLI::ignore_case))
-      ->option_text("NAME [force]");
+      ->check(one_of(names))
+      ->default_str("force")
+      ->type_name("NAME");
   command
       ->add_option("--window", options->window,
                    "part of the box to draw, m [default: the bed between the walls]")
       ->expected(4)
+      ->check(place())
       ->type_name("XLO XHI YLO YHI");
   command->add_flag("--in-dp", options->in_diameters,
                     "--window counts in sphere diameters d_p, not m");
@@ -77,12 +84,12 @@ void add_render(CLI::App& app) {
       ->add_option("--max", options->largest,
                    "top of the colour scale, N [default: 99 % of the spheres are "
                    "below]")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number(1e15))
       ->type_name("N");
   command
       ->add_option("--pixels", options->render.pixels,
                    "longer side of the drawn window [default: 8 per d_p, 1200 to 4000]")
-      ->check(CLI::Range(100, 20000))
+      ->check(whole_number(100, 20000))
       ->type_name("N");
   add_packing_options(*command, options->input);
   add_output(*command, options->stem);

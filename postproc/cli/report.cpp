@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/checks.h"
 #include "cli/commands.h"
 #include "page/report_page.h"
 
@@ -21,6 +22,7 @@ void add_report(CLI::App& app) {
       "writes results/quick/analysis/report.html anew, as \"rodpack analyse\" does.");
   command->add_option("folder", *folder, "folder of a study, or of a run")
       ->required()
+      ->check(some_name())
       ->type_name("FOLDER");
   command->callback([folder] {
     const auto page = write_report_page(*folder);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -87,10 +86,8 @@ EnsembleCurve curve_from(const Json& json) {
 
 // A file of that format, with an object 'cases'.
 Json read_object(const std::string& file, const std::string& expected_format) {
-  std::ifstream in(file);
-  if (!in) throw DataError(file + ": no such file, or it cannot be read");
-  auto json = Json::parse(in, nullptr, false);
-  if (!json.is_object() || json.value("format", Json()) != expected_format)
+  Json json = read_json_object(file);
+  if (json.value("format", Json()) != expected_format)
     throw DataError(file + ": expected a JSON object with \"format\": \"" + expected_format + "\"");
   if (!json.value("cases", Json()).is_object())
     throw DataError(file + ": expected an object 'cases'");
@@ -118,8 +115,7 @@ EnsembleCase case_from(const std::string& name, const Json& json) {
 
 // Removes what an earlier call left in `folder`, so that no table of a case that is no more stays.
 void remove_tables_of_before(const fs::path& folder) {
-  std::ifstream in(folder / "ensemble.json");
-  const auto before = in ? Json::parse(in, nullptr, false) : Json();
+  const Json before = json_object_if_sound((folder / "ensemble.json").string());
   if (!before.is_object() || !before.contains("cases") || !before["cases"].is_object()) return;
   std::error_code ignored;
   for (const auto& [name, one] : before["cases"].items()) {

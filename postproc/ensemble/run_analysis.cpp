@@ -2,9 +2,9 @@
 #include "ensemble/run_analysis.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "reading/data_error.h"
+#include "reading/json_file.h"
 #include "reading/run_folder.h"
 #include "rodpack/version.h"
 
@@ -13,11 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-Json read_object(const fs::path& file) {
-  std::ifstream in(file);
-  auto json = in ? Json::parse(in, nullptr, false) : Json();
-  return json.is_object() ? json : Json();
-}
+Json read_object(const fs::path& file) { return json_object_if_sound(file.string()); }
 
 // An analysis that was cut short leaves no summary, or half of one.
 std::string why_not_current(const FinishedRun& run, const Json& summary) {

@@ -2,11 +2,11 @@
 #include "ensemble/study_table.h"
 
 #include <cmath>
-#include <fstream>
 #include <set>
 
 #include "ensemble/cases.h"
 #include "reading/data_error.h"
+#include "reading/json_file.h"
 
 namespace rodpack {
 namespace {
@@ -24,9 +24,8 @@ bool same_value(const Json& found, const Json& expected) {
 }  // namespace
 
 StudyTable read_study_table(const std::string& file) {
-  std::ifstream in(file);
-  const auto json = Json::parse(in, nullptr, false);
-  if (!json.is_object() || json.value("format", Json()) != format)
+  const Json json = read_json_object(file);
+  if (json.value("format", Json()) != format)
     throw DataError(file + ": expected a JSON object with \"format\": \"" + format + "\"");
   StudyTable table;
   table.file = file;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "figures/drawing.h"
 
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "reading/number_text.h"
+#include "reading/run_program.h"
 #include "reading/text_file.h"
 
 namespace rodpack {
@@ -55,15 +53,8 @@ void draw_colour_bar(Drawing& drawing, const ColourScale& scale, double x, doubl
 
 void rasterise(const std::string& svg, const std::string& png) {
   std::remove(png.c_str());
-  const auto quoted = [](const std::string& name) {
-    std::string result = "'";
-    for (const char c : name) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-  };
-  const auto command = "rsvg-convert --unlimited -o " + quoted(png) + " -- " + quoted(svg);
-  const int status = std::system(command.c_str());
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    throw DataError("rsvg-convert was not found: install librsvg2-bin");
+  const int status = run_program({"rsvg-convert", "--unlimited", "--output=" + png, "--", svg});
+  if (status == 127) throw DataError("rsvg-convert was not found: install librsvg2-bin");
   if (status != 0) throw DataError(png + ": rsvg-convert failed to draw it");
 }
 

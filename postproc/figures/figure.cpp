@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "figures/figure.h"
 
-#include <sys/wait.h>
-
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "reading/dump.h"
 #include "reading/number_text.h"
+#include "reading/run_program.h"
 #include "reading/text_file.h"
 
 namespace rodpack {
@@ -23,14 +19,11 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-void run_gnuplot(const std::string& script) {
-  std::FILE* pipe = popen("gnuplot", "w");
-  if (!pipe) throw DataError("gnuplot cannot be started");
-  const bool sent = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
-  const int status = pclose(pipe);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    throw DataError("gnuplot was not found: install gnuplot-nox");
-  if (status != 0 || !sent) throw DataError("gnuplot failed to draw a figure");
+// In the folder of the figure, so that the script holds its name alone.
+void run_gnuplot(const std::filesystem::path& folder, const std::string& script) {
+  const int status = run_program({"gnuplot"}, {script, folder.string(), "", {}});
+  if (status == 127) throw DataError("gnuplot was not found: install gnuplot-nox");
+  if (status != 0) throw DataError("gnuplot failed to draw a figure");
 }
 
 // SVG readers may drop the spaces around a change of font, as before the italic symbol in
@@ -66,6 +59,11 @@ void draw_figure(const std::string& stem, double aspect, const std::string& comm
       "set mxtics 2\nset mytics 2\n"
       "set style fill solid 1 noborder\n"
       "set key noautotitle samplen 1.8 spacing 1.2\n";
+  const std::filesystem::path path(stem);
+  const auto name = path.filename().string();
+  for (const char each : name)
+    if (static_cast<unsigned char>(each) < ' ')
+      throw DataError(stem + ": expected a name of a figure without line ends and the like");
   for (const std::string suffix : {".png", ".svg"}) {
     // Removed first, so that a file that exists afterwards is a new one.
     std::error_code ignored;
@@ -75,8 +73,9 @@ void draw_figure(const std::string& stem, double aspect, const std::string& comm
             ? "pngcairo size " + size(1600) +
                   " font 'DejaVu Sans,34' linewidth 3 pointscale 3.5 enhanced\n"
             : "svg size " + size(640) + " font 'DejaVu Sans,14' linewidth 1.2 enhanced\n";
-    run_gnuplot("set terminal " + terminal + "set output " + quoted(stem + suffix) + "\n" + style +
-                commands);
+    // With ./ before it, no name is taken for a command ("|...").
+    run_gnuplot(path.parent_path(), "set terminal " + terminal + "set output " +
+                                        quoted("./" + name + suffix) + "\n" + style + commands);
     if (!std::filesystem::exists(stem + suffix) || std::filesystem::file_size(stem + suffix) == 0)
       throw DataError(stem + suffix + ": cannot be written");
   }

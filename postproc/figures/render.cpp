@@ -7,6 +7,7 @@
 #include "analysis/long_axis.h"
 #include "figures/drawing.h"
 #include "figures/palette.h"
+#include "reading/checks/planar.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
@@ -48,6 +49,7 @@ void render_spheres(const Frame& spheres, const RenderOptions& options, const st
   const Walls walls = find_walls(spheres, options.packing,
                                  find_parameters(spheres.file, options.packing.parameters));
   const double diameter = sphere_diameter(spheres, options.packing);
+  require_planar_spheres(spheres, diameter);
 
   double top = walls.floor;
   for (std::size_t i = 0; i < spheres.rows; ++i) top = std::max(top, y[i] + radius[i]);

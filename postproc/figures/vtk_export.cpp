@@ -16,6 +16,7 @@
 #include <map>
 #include <set>
 
+#include "reading/checks/frame_pool.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
 #include "rodpack/dumps/columns.h"
@@ -162,8 +163,15 @@ std::vector<std::string> export_vtk(const std::vector<std::string>& files,
                                     const std::string& folder, double timestep_s) {
   std::vector<std::string> written;
   std::map<DumpKind, std::map<long, std::string>> index;
+  std::map<DumpKind, FramePool> pools;
   for_each_frame(files, [&](const Frame& frame) {
     const auto kind = kind_of(frame);
+    // Empty frames are frames of a film; the same frame again is not.
+    if (frame.rows > 0 && !pools.try_emplace(kind, false).first->second.take(frame)) return;
+    if (index[kind].count(frame.timestep) > 0)
+      throw DataError(frame.file + ":" + std::to_string(frame.header_line) +
+                      ": expected each timestep once, found a second frame of " + kind_name(kind) +
+                      " of timestep " + std::to_string(frame.timestep));
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");

@@ -27,9 +27,10 @@ class NoSuchFrame : public DataError {
 
 /// One frame of a LIGGGHTS text dump (`ITEM: ATOMS` or `ITEM: ENTRIES`), stored by column.
 struct Frame {
-  struct BadField {  // first field of a column that is not a finite number
+  struct BadField {  // first field of a column that is not what it may be, see
+                     // checks/column_range.h
     long line = 0;   // 0: the column is sound
-    std::string text;
+    std::string text, expected;
   };
 
   std::string file;
@@ -46,7 +47,7 @@ struct Frame {
   bool has(const std::string& name) const;
   /// Returns the values of the named column, one per row, in the dump's own unit.
   /// @throws DataError when there is no such column (the message lists those there are), or when a
-  ///   field of it is not a finite number.
+  ///   field of it is not a finite number in the column's range.
   const std::vector<double>& column(const std::string& name) const;
 };
 
@@ -65,7 +66,8 @@ class DumpReader {
   DumpReader& operator=(const DumpReader&) = delete;
 
   /// Reads the next frame. Returns false, and leaves `frame` alone, at the end of the file.
-  /// @throws DataError naming file and line when the frame is cut short or malformed.
+  /// @throws DataError naming file and line when the frame is cut short or malformed, its box is
+  ///   not upright, its units are not SI, or a particle or contact stands in it twice.
   bool next(Frame& frame);
 
   /// Reads the timestep of the first frame of a file. @throws DataError when the file holds no
@@ -78,7 +80,8 @@ class DumpReader {
 };
 
 /// Finds the files that the given names and wildcard patterns stand for, each once, and orders them
-/// by the timestep of their first frame.
+/// by the timestep of their first frame. A file or folder of just that name comes before what it
+/// matches as a pattern: run[1] is that folder where there is one.
 /// @throws DataError for a name without a file and for a pattern that matches nothing.
 std::vector<std::string> find_dumps(const std::vector<std::string>& patterns);
 
@@ -88,6 +91,11 @@ void for_each_frame(const std::vector<std::string>& files,
 
 /// Reads the last frame of the last file.
 Frame last_frame(const std::vector<std::string>& files);
+
+/// Reads the frame of the timestep of `frame`, of another dump; `files` as find_dumps() orders
+/// them. Where they are of several runs, those in the folder of `frame` count. @throws NoSuchFrame
+/// as frame_at(), DataError when two of them begin with that timestep.
+Frame frame_beside(const Frame& frame, const std::vector<std::string>& files);
 
 /// Reads the frame of the given timestep; `files` as find_dumps() orders them. @throws NoSuchFrame
 /// naming the closest timestep before it, or the first one.

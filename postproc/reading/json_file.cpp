@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <vector>
 
 #include "reading/data_error.h"
+#include "reading/parsing.h"
 #include "reading/text_file.h"
 #include "rodpack/version.h"
 
@@ -36,6 +39,37 @@ void append(std::string& text, const Json& json, const std::string& indent) {
   text += "\n" + indent + (object ? "}" : "]");
 }
 
+// Functions that walk through JSON call themselves, the library's too: unlimited depth would let a
+// file overflow the stack.
+constexpr int deepest = 32;
+
+Json parse(const std::string& text, const std::string& file) {
+  std::vector<std::set<std::string>> keys(deepest + 2);  // of the objects that are open
+  const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > deepest)
+      throw DataError(file + ": expected JSON at most " + std::to_string(deepest) +
+                      " objects and lists deep, found a deeper one");
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start) keys[level + 1].clear();
+    if (event == Json::parse_event_t::key) {
+      const auto key = parsed.get<std::string>();
+      if (!keys[level].insert(key).second)
+        throw DataError(file + ": expected each key once in an object, found '" + shortened(key) +
+                        "' twice");
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, watch);
+  } catch (const Json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    throw DataError(file + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) +
+                    ": expected a JSON object, found an error in it here");
+  } catch (const Json::exception& error) {  // a number that is too large
+    throw DataError(file + ": expected a JSON object, found " + shortened(error.what()));
+  }
+}
+
 }  // namespace
 
 void write_json(const std::string& file, const nlohmann::ordered_json& content) {
@@ -47,10 +81,19 @@ void write_json(const std::string& file, const nlohmann::ordered_json& content) 
 }
 
 nlohmann::ordered_json read_json_object(const std::string& file) {
-  if (!std::filesystem::exists(file)) throw DataError(file + ": no such file");
-  auto json = Json::parse(read_text(file), nullptr, false);
-  if (!json.is_object()) throw DataError(file + ": expected a JSON object");
+  if (!std::filesystem::is_regular_file(file))
+    throw DataError(file + ": no such file, or it cannot be read");
+  auto json = parse(read_text(file), file);
+  if (!json.is_object()) throw DataError(file + ": expected a JSON object { \"key\": value, ... }");
   return json;
+}
+
+nlohmann::ordered_json json_object_if_sound(const std::string& file) {
+  try {
+    return read_json_object(file);
+  } catch (const DataError&) {
+    return nullptr;
+  }
 }
 
 }  // namespace rodpack

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "reading/checks/number_range.h"
+#include "reading/checks/planar.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
@@ -14,6 +16,13 @@ double positive(double value, const std::string& what) {
   if (!(value > 0))
     throw DataError(what + ": expected a positive value, found " + number_text(value));
   return value;
+}
+
+// Another unit of length shows as a factor of 100 or 1000.
+void require_diameter_of_spheres(double given, double mean, const std::string& where) {
+  if (given > 10 * mean || given < mean / 10)
+    throw DataError(where + ": particle diameter d_p: expected about the spheres' mean, " +
+                    number_text(mean, 4) + " m, found " + number_text(given, 4) + " m");
 }
 
 }  // namespace
@@ -73,10 +82,21 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
   packing.particle_diameter = positive(
       first_of(options.particle_diameter, from_parameters("particle_diameter_m"), mean_diameter),
       where + ": particle diameter");
+  require_diameter_of_spheres(packing.particle_diameter, mean_diameter, where);
+  if (!options.out_of_plane_too) require_planar_bodies(frame, packing.particle_diameter);
   const double longest = 2 * *std::max_element(half_length.begin(), half_length.end());
   packing.aspect_ratio = positive(first_of(options.aspect_ratio, from_parameters("aspect_ratio"),
                                            longest / packing.particle_diameter),
                                   where + ": aspect ratio");
+  if (packing.walls.width() < packing.particle_diameter)
+    throw DataError(packing.walls.source + ": expected a container or period of at least d_p = " +
+                    number_text(packing.particle_diameter, 4) + " m, found one of " +
+                    number_text(packing.walls.width(), 4) + " m");
+  // A plain sphere with a drawn size may be a little shorter than d_p.
+  constexpr NumberRange ratios{0.5, 1000};
+  if (!ratios.contains(packing.aspect_ratio))
+    throw DataError(where + ": aspect ratio AR: expected " + ratios.text() + ", found " +
+                    number_text(packing.aspect_ratio, 4));
   const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
   packing.surface =
       bed_surface(packing.y, packing.area, packing.walls.floor, packing.walls.width(), layer);
@@ -95,6 +115,12 @@ double sphere_diameter(const Frame& spheres, const PackingOptions& options) {
 double bed_surface(const std::vector<double>& y, const std::vector<double>& area, double floor,
                    double width, double layer) {
   const double top = *std::max_element(y.begin(), y.end());
+  constexpr double most_layers = 1e5;
+  if (!((top - floor) / layer < most_layers))
+    throw DataError("surface of the bed: expected at most " + number_text(most_layers) +
+                    " layers of the thickness " + number_text(layer, 4) +
+                    " m between the floor, y = " + number_text(floor, 4) +
+                    " m, and the highest particle, y = " + number_text(top, 4) + " m");
   const auto layers =
       static_cast<std::size_t>(std::max(0.0, std::floor((top - floor) / layer))) + 1;
   std::vector<double> fraction(layers + 1, 0.0);  // the last one stays empty

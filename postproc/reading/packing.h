@@ -29,6 +29,7 @@ struct PackingOptions {
   std::optional<double> particle_diameter;  // d_p, m
   std::optional<double> aspect_ratio;       // AR
   std::string parameters;                   // parameters.json, if not beside the dump
+  bool out_of_plane_too = false;            // bodies that have left the plane count as well
 };
 
 /// One frame of the bodies' dump, ready to be measured. Vectors hold one entry per particle.
@@ -60,7 +61,8 @@ Walls find_walls(const Frame& frame, const PackingOptions& options,
 /// Reads a frame with the columns `nspheres x y angle half_length radius curvature area`.
 /// Walls as in find_walls(); parameters.json is looked for beside the dump and one folder up. d_p
 /// and AR: the options, else parameters.json, else the mean 2 radius and the longest particle.
-/// @throws DataError when a column is missing, the frame is empty or a length is not positive.
+/// @throws DataError when a column is missing, the frame is empty, a length is not positive, d_p is
+///   not that of the spheres by a factor of 10, or as require_planar_bodies().
 Packing read_packing(const Frame& frame, const PackingOptions& options = {});
 
 /// Returns d_p of a frame of bodies or spheres (column `radius`), m: the options, else
@@ -70,8 +72,9 @@ double sphere_diameter(const Frame& frame, const PackingOptions& options);
 /// Returns y of the bed's surface, m: where the solid fraction of horizontal layers, 2 d_p or half
 /// an axial length thick, falls through half of its bulk value (the area-weighted median over the
 /// layers). Particles that still fall above the bed do not count, and an uneven surface gives its
-/// mean level. `y`: of the centres of mass, m; `area`: covered by each particle, m^2; `floor`,
-/// `width` and `layer`, the thickness of a layer: m.
+/// mean level. @throws DataError when there would be more than 1e5 layers. `y`: of the centres of
+/// mass, m; `area`: covered by each particle, m^2; `floor`, `width` and `layer`, the thickness of a
+/// layer: m.
 double bed_surface(const std::vector<double>& y, const std::vector<double>& area, double floor,
                    double width, double layer);
 

@@ -2,26 +2,52 @@
 #include "reading/parameters.h"
 
 #include <filesystem>
-#include <fstream>
+#include <map>
 
-#include "reading/dump.h"
+#include "reading/checks/number_range.h"
+#include "reading/data_error.h"
+#include "reading/json_file.h"
+#include "reading/parsing.h"
 
 namespace rodpack {
+
+namespace {
+
+/// What the parameters of a deck that the post-processor reads may be.
+NumberRange parameter_range(const std::string& key) {
+  static const std::map<std::string, NumberRange> known{
+      {"aspect_ratio", {1, 1000}},
+      {"particle_diameter_m", {1e-12, 1e3}},
+      {"container_width_m", {1e-12, 1e6}},
+      {"timestep_s", {1e-30, 1e6}},
+      {"gravity_m_s2", {0, 1e9}},
+      {"density_kg_m3", {0, 1e9, false, true}},
+      {"friction", {0, 1000}},
+  };
+  const auto found = known.find(key);
+  constexpr double largest = 1e300;
+  return found == known.end() ? NumberRange{-largest, largest} : found->second;
+}
+
+}  // namespace
 
 double RunParameters::number(const std::string& key) const {
   const auto found = values.find(key);
   if (found == values.end()) throw DataError(file + ": no key '" + key + "'");
-  if (!found->is_number())
-    throw DataError(file + ": key '" + key + "': expected a number, found " + found->dump());
+  const auto range = parameter_range(key);
+  if (!found->is_number() || !range.contains(found->get<double>()))
+    throw DataError(file + ": key '" + key + "': expected " + range.text() + ", found " +
+                    shortened(found->dump()));
   return found->get<double>();
 }
 
 RunParameters read_parameters(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw DataError(file + ": no such file, or it cannot be read");
-  auto values = nlohmann::json::parse(in, nullptr, false);
-  if (!values.is_object())
-    throw DataError(file + ": expected a JSON object { \"key\": value, ... }");
+  nlohmann::json values = read_json_object(file);
+  const auto units = values.value("units", nlohmann::json("si"));
+  if (units != "si")
+    throw DataError(file +
+                    ": key 'units': expected \"si\", in whose units all is labelled, found " +
+                    shortened(units.dump()));
   return {file, std::move(values)};
 }
 

@@ -15,12 +15,12 @@ struct RunParameters {
   nlohmann::json values;
 
   /// Returns the value of a key, in the unit that its name says. @throws DataError naming file and
-  /// key when it is missing or not a number.
+  /// key when it is missing or no number in the range of that parameter.
   double number(const std::string& key) const;
 };
 
-/// Reads the parameters in `file`. @throws DataError when the file is missing or is not a JSON
-/// object.
+/// Reads the parameters in `file`. @throws DataError as read_json_object(), and when the key
+/// 'units' is there and not "si".
 RunParameters read_parameters(const std::string& file);
 
 /// Reads the parameters.json at `given`, or, when that is empty, in the folder of `dump` or the one

@@ -21,7 +21,10 @@ bool starts_with(std::string_view text, std::string_view start) {
 
 std::string shortened(std::string_view text) {
   constexpr std::size_t longest = 60;
-  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
+  std::string result(text.substr(0, longest));
+  for (char& each : result)
+    if (static_cast<unsigned char>(each) < ' ' || each == 127) each = '?';
+  return text.size() <= longest ? result : result + "...";
 }
 
 std::size_t column_index(const std::vector<std::string>& names, const std::string& name,
@@ -29,8 +32,9 @@ std::size_t column_index(const std::vector<std::string>& names, const std::strin
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     std::string message = where + ": no column '" + name + "'; the columns are:";
-    for (const auto& each : names) message += " " + each;
-    throw DataError(message);
+    constexpr std::size_t most = 50;
+    for (std::size_t k = 0; k < names.size() && k < most; ++k) message += " " + shortened(names[k]);
+    throw DataError(message + (names.size() > most ? " ..." : ""));
   }
   return static_cast<std::size_t>(found - names.begin());
 }

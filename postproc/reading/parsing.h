@@ -10,15 +10,17 @@
 
 namespace rodpack {
 
-// What the readers of dumps and tables share; nobody else includes this.
+// What the readers of dumps, tables and of the command line share; nobody else includes this.
 
 /// Takes the next blank-separated word off the front of `rest`; empty at the end.
 std::string_view take_word(std::string_view& rest);
 
-/// Reads all of `text` as one number into `value`. Returns false, and leaves `value` alone, when it
-/// is anything else; "inf" and "nan" are floating-point numbers.
+/// Reads all of `text` as one number into `value`, a sign before it or none. Returns false, and
+/// leaves `value` alone, when it is anything else; "inf" and "nan" are floating-point numbers.
 template <class Number>
 bool parse_number(std::string_view text, Number& value) {
+  // The library's reader knows no '+', which "dump_modify format %+g" writes.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto* end = text.data() + text.size();
   Number parsed{};
   const auto result = std::from_chars(text.data(), end, parsed);
@@ -29,8 +31,12 @@ bool parse_number(std::string_view text, Number& value) {
 
 bool starts_with(std::string_view text, std::string_view start);
 
-/// `text` cut off after 60 characters, for error messages.
+/// `text` cut off after 60 characters, '?' for what a terminal could take for a command, for error
+/// messages.
 std::string shortened(std::string_view text);
+
+/// Longest line that the readers take, in characters: anything longer is no table of numbers.
+constexpr std::size_t longest_line = 1000000;
 
 /// Place of `name` among the names of columns. `where`: file and line of the names.
 /// @throws DataError naming the column and those there are.

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "reading/run_folder.h"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "reading/checks/number_range.h"
 #include "reading/data_error.h"
 #include "reading/dump.h"
+#include "reading/json_file.h"
 
 namespace rodpack {
 namespace {
@@ -17,20 +19,34 @@ namespace fs = std::filesystem;
 
 /// Reads the step at which the run ended, as its result.json says; none while it has not ended.
 std::optional<long> last_step(const fs::path& run) {
-  std::ifstream file(run / "result.json");
-  if (!file) return {};
-  const auto result = nlohmann::json::parse(file, nullptr, false);
-  if (!result.is_object() || !result.contains("step") || !result["step"].is_number())
-    throw DataError((run / "result.json").string() +
-                    ": expected a JSON object with a number 'step'");
+  const fs::path file = run / "result.json";
+  if (!fs::exists(file)) return {};
+  const auto result = read_json_object(file.string());
+  constexpr NumberRange range{0, 9007199254740992.0, true};
+  if (!result.contains("step") || !result["step"].is_number() ||
+      !range.contains(result["step"].get<double>()))
+    throw DataError(file.string() + ": key 'step': expected " + range.text());
   return result["step"].get<long>();
+}
+
+/// Finds `run`/dumps/`kind`.*.dump, plain or .gz. The run's own name is no pattern.
+std::vector<std::string> files_of(const fs::path& dumps, const std::string& kind) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(dumps, error), end; !error && entry != end;
+       entry.increment(error))
+    if (fnmatch((kind + ".*.dump*").c_str(), entry->path().filename().c_str(), 0) == 0)
+      files.push_back(entry->path().string());
+  if (files.empty())
+    throw DataError("no file matches '" + (dumps / (kind + ".*.dump*")).string() + "'");
+  return find_dumps(files);
 }
 
 }  // namespace
 
 std::vector<std::string> dumps_of_run(const std::string& run_folder, const std::string& kind) {
   const fs::path run(run_folder);
-  auto files = find_dumps({(run / "dumps" / (kind + ".*.dump*")).string()});
+  auto files = files_of(run / "dumps", kind);
   if (const auto last = last_step(run)) {
     const auto later = [&](const std::string& file) {
       const auto name = fs::path(file).filename().string();

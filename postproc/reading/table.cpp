@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "reading/table.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 
@@ -50,6 +52,13 @@ const std::vector<double>& Table::column(const std::string& name) const {
   return numbers_[index];
 }
 
+const std::vector<double>& Table::finite(const std::string& name) const {
+  const auto& values = column(name);
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (!std::isfinite(values[row])) refuse(row, name, "a finite number");
+  return values;
+}
+
 std::vector<long> Table::whole_numbers(const std::string& name) const {
   const auto& values = column(name);
   std::vector<long> result;
@@ -72,7 +81,9 @@ void Table::refuse(std::size_t row, const std::string& name, const std::string& 
 
 Table read_table(const std::string& file, const std::string& header) {
   std::ifstream in(file);
-  if (!in) throw DataError(file + ": no such file, or it cannot be read");
+  std::error_code ignored;
+  if (!in || !std::filesystem::is_regular_file(file, ignored))
+    throw DataError(file + ": no such file, or it cannot be read");
   Table table;
   table.file_ = file;
   std::string names_line;
@@ -85,11 +96,22 @@ Table read_table(const std::string& file, const std::string& header) {
     table.header_line_ = number;
     at_commas = has_comma(names_line);
     table.names_ = split(names_line, at_commas);
+    auto sorted = table.names_;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end() && !twice->empty())
+      throw DataError(at_line(file, number) + ": expected each column once, found '" +
+                      shortened(*twice) + "' twice");
   };
   bool named_by_comment = false;
   long number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
+    if (line.size() > longest_line)
+      throw DataError(at_line(file, number) + ": expected a line of at most " +
+                      std::to_string(longest_line) + " characters, found a longer one");
+    if (line.find('\0') != std::string::npos)
+      throw DataError(at_line(file, number) + ": expected text, found a NUL character");
     const auto content = without_blanks(line);
     if (content.empty()) continue;
     if (content.front() == '#') {

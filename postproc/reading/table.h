@@ -19,6 +19,8 @@ class Table {
   /// @throws DataError when there is no such column (the message lists those there are), or naming
   ///   file, line, field and column when a field of it is not a number.
   const std::vector<double>& column(const std::string& name) const;
+  /// The same, finite numbers only. @throws DataError too when a field is "inf" or "nan".
+  const std::vector<double>& finite(const std::string& name) const;
   /// The same as whole numbers. @throws DataError too when a field is none.
   std::vector<long> whole_numbers(const std::string& name) const;
   /// The fields of a column as they stand in the file, without blanks around them.

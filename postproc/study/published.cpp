@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 
@@ -42,13 +43,16 @@ bool known_quantity(const std::string& name, const Ensemble& ensemble) {
 // A unit of the last printed digit: 0.87 -> 0.01, 1.2e-3 -> 1e-4.
 double last_digit(const std::string& text) {
   const auto exponent_at = text.find_first_of("eE");
-  const int exponent =
-      exponent_at == std::string::npos ? 0 : std::stoi(text.substr(exponent_at + 1));
+  // Of a number that a double holds; "0e99999999999" is one.
+  const long exponent =
+      exponent_at == std::string::npos
+          ? 0
+          : std::clamp(std::strtol(text.c_str() + exponent_at + 1, nullptr, 10), -400L, 400L);
   const auto digits = text.substr(0, exponent_at);
   const auto point = digits.find('.');
   const auto decimals =
       point == std::string::npos ? 0 : static_cast<int>(digits.size() - point) - 1;
-  return std::pow(10.0, exponent - decimals);
+  return std::pow(10.0, static_cast<double>(exponent - decimals));
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -188,7 +188,7 @@ TEST(Beds, ComparisonsCanBeChosen) {
     bed_comparisons({"ab3"}, {"engines"});
     FAIL();
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("'engines', expected one of surface planar engine"));
+    EXPECT_THAT(error.what(), HasSubstr("--comparisons: expected one of surface planar engine"));
   }
 }
 

@@ -70,11 +70,12 @@ TEST(Packing, BadParametersAreNamed) {
     return "no error";
   };
   EXPECT_THAT(error(R"({"container_width_m": "wide"})"),
-              HasSubstr("parameters.json: key 'container_width_m': expected a number, found "
-                        "\"wide\""));
-  EXPECT_THAT(error(R"({"container_width_m": -1})"), HasSubstr("expected the right wall beyond"));
+              HasSubstr("parameters.json: key 'container_width_m': expected a number of 1e-12 to "
+                        "1000000, found \"wide\""));
+  EXPECT_THAT(error(R"({"container_width_m": -1})"),
+              HasSubstr("container_width_m': expected a number of 1e-12 to 1000000, found -1"));
   EXPECT_THAT(error(R"({"particle_diameter_m": 0})"),
-              HasSubstr("particle diameter: expected a positive value, found 0"));
+              HasSubstr("particle_diameter_m': expected a number of 1e-12 to 1000, found 0"));
   EXPECT_THAT(error("not json"), HasSubstr("expected a JSON object"));
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "campaigns/launch/deck_run.h"
+#include "reading/run_program.h"
 
 namespace rodpack::test {
 
@@ -56,7 +57,8 @@ fs::path fresh_folder() {
 }
 
 Run run_command(const std::string& command, const fs::path& folder) {
-  const int exit_code = run_in_folder(command, folder.string());
+  const int exit_code = run_program({"sh", "-c", command},
+                                    {"", folder.string(), (folder / "output.txt").string(), {}});
   return {exit_code, contents(folder / "output.txt"), folder};
 }
 
@@ -76,7 +78,8 @@ Run run_liggghts_in(const fs::path& folder, const std::string& deck,
   }
   const Liggghts liggghts = {RODPACK_BIN "/liggghts", RODPACK_MPIEXEC, ranks};
   fs::remove(folder / "log.liggghts");
-  Run run = run_command(liggghts_command(liggghts, file.string(), vars), folder);
+  const int exit_code = rodpack::run_liggghts(liggghts, file.string(), vars, folder.string());
+  Run run = {exit_code, contents(folder / "output.txt"), folder};
   run.output += contents(folder / "log.liggghts");
   return run;
 }

@@ -42,7 +42,7 @@ void claim_folder(const std::string& folder, const AccuracySettings& settings) {
     write_json(file, wanted);
     return;
   }
-  const auto found = nlohmann::json::parse(read_text(file), nullptr, false);
+  const nlohmann::json found = json_object_if_sound(file);
   if (!found.is_object())
     throw DataError(file + ": expected the settings of the rows in " + folder + ", as JSON");
   for (const auto& [key, value] : wanted.items())

@@ -128,7 +128,7 @@ std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& metho
     if (found == all.end()) {
       std::string names;
       for (const auto& comparison : all) names += " " + comparison.name;
-      throw DataError("--comparisons: '" + name + "', expected one of" + names);
+      throw DataError("--comparisons: expected one of" + names + ", found '" + name + "'");
     }
     chosen.push_back(*found);
   }

@@ -52,7 +52,10 @@ FinalBed read_bed(const std::string& bodies_dump, const std::string& contacts_du
   frame.columns[static_cast<std::size_t>(area - frame.names.begin())].assign(frame.rows,
                                                                              covered_area(shape));
   FinalBed bed;
-  const Packing packing = read_packing(frame);
+  // How far the bodies of stock LIGGGHTS leave the plane is a result of the comparison.
+  PackingOptions options;
+  options.out_of_plane_too = true;
+  const Packing packing = read_packing(frame, options);
   const SolidFraction phi = solid_fraction(packing);
   bed.height = packing.surface - packing.walls.floor;
   bed.mean_height = std::accumulate(packing.y.begin(), packing.y.end(), 0.0) /

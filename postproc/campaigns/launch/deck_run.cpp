@@ -2,13 +2,13 @@
 #include "campaigns/launch/deck_run.h"
 
 #include <signal.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <vector>
 
 #include "reading/data_error.h"
+#include "reading/run_program.h"
 #include "reading/text_file.h"
 
 namespace rodpack {
@@ -38,39 +38,37 @@ std::string liggghts_beside_this_program() {
   return program.string();
 }
 
-std::string shell_word(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-std::string liggghts_command(const Liggghts& liggghts, const std::string& deck,
-                             const DeckVariables& variables) {
+int run_liggghts(const Liggghts& liggghts, const std::string& deck, const DeckVariables& variables,
+                 const std::string& folder) {
+  ProgramSurroundings surroundings;
+  surroundings.folder = folder;
+  surroundings.output = (fs::absolute(folder) / "output.txt").string();
   // Each run has a session folder of its own: in the common one, runs that start and end side by
   // side make and remove it under each other's feet.
-  std::string command = "OMPI_MCA_orte_tmpdir_base=\"$PWD\" ";
+  surroundings.variables["OMPI_MCA_orte_tmpdir_base"] = fs::absolute(folder).string();
+  std::vector<std::string> words;
   if (liggghts.ranks > 1) {
+    surroundings.variables["OMPI_ALLOW_RUN_AS_ROOT"] = "1";
+    surroundings.variables["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1";
+    surroundings.variables["OMPI_MCA_btl_vader_single_copy_mechanism"] = "none";
     // Several ranks may share a core here, and runs go on side by side: no binding to cores.
-    command +=
-        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-        "OMPI_MCA_btl_vader_single_copy_mechanism=none " +
-        shell_word(liggghts.mpiexec) + " --oversubscribe --bind-to none -np " +
-        std::to_string(liggghts.ranks) + " ";
+    words = {liggghts.mpiexec,
+             "--oversubscribe",
+             "--bind-to",
+             "none",
+             "-np",
+             std::to_string(liggghts.ranks)};
   } else {
     // A single process needs no daemon of Open MPI's, whose start takes as long as many a deck.
-    command += "OMPI_MCA_ess_singleton_isolated=1 ";
+    surroundings.variables["OMPI_MCA_ess_singleton_isolated"] = "1";
   }
   // LIGGGHTS prints an error just before MPI_Abort: without line buffering it would be lost.
-  command += "stdbuf -oL " + shell_word(liggghts.program) + " -in " + shell_word(deck);
-  for (const auto& [name, value] : variables) command += " -var " + name + " " + shell_word(value);
-  return command;
-}
-
-int run_in_folder(const std::string& command, const std::string& folder) {
-  const std::string line =
-      "cd " + shell_word(folder) + " && { " + command + " ; } > output.txt 2>&1 < /dev/null";
-  const int status = std::system(line.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  for (const auto& word :
+       {std::string("stdbuf"), std::string("-oL"), liggghts.program, std::string("-in"), deck})
+    words.push_back(word);
+  for (const auto& [name, value] : variables)
+    for (const auto& word : {std::string("-var"), name, value}) words.push_back(word);
+  return run_program(words, surroundings);
 }
 
 std::string run_deck(const Liggghts& liggghts, const std::string& deck,
@@ -80,8 +78,7 @@ std::string run_deck(const Liggghts& liggghts, const std::string& deck,
   // The working folder is another; what is no file here is looked for in PATH.
   Liggghts from_there = liggghts;
   if (fs::exists(liggghts.program)) from_there.program = fs::absolute(liggghts.program).string();
-  const int exit_code =
-      run_in_folder(liggghts_command(from_there, fs::absolute(deck).string(), variables), folder);
+  const int exit_code = run_liggghts(from_there, fs::absolute(deck).string(), variables, folder);
   const std::string output = read_text((fs::path(folder) / "output.txt").string());
   if (exit_code == 128 + SIGINT || exit_code == 128 + SIGTERM)
     throw DataError("interrupted while " + deck + " ran in " + folder);

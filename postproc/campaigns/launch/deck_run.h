@@ -21,17 +21,11 @@ struct Liggghts {
 /// none.
 std::string liggghts_beside_this_program();
 
-/// Quotes `text` as one word of the shell.
-std::string shell_word(const std::string& text);
-
-/// Returns the shell command that runs `deck` in the current folder, where LIGGGHTS leaves its
-/// log.liggghts and Open MPI its session folder.
-std::string liggghts_command(const Liggghts& liggghts, const std::string& deck,
-                             const DeckVariables& variables);
-
-/// Runs a shell command in `folder`, its output in `folder`/output.txt. Returns its exit code, or
-/// 128 + the signal that ended it.
-int run_in_folder(const std::string& command, const std::string& folder);
+/// Runs `deck` in `folder`, where LIGGGHTS leaves its log.liggghts, Open MPI its session folder,
+/// and all that is printed goes into output.txt. No shell sees deck, values or folder. Returns the
+/// exit code, or 128 + the signal that ended it.
+int run_liggghts(const Liggghts& liggghts, const std::string& deck, const DeckVariables& variables,
+                 const std::string& folder);
 
 /// Runs `deck` (a file; the folder it names is not the working one) in `folder`, which is made if
 /// missing. Returns what it printed. @throws DataError with LIGGGHTS's own error line when it

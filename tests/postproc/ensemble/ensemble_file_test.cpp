@@ -126,8 +126,7 @@ TEST(EnsembleFile, WhatIsNoneIsRefused) {
   };
   EXPECT_EQ(error_of("{}"),
             "/e.json: expected a JSON object with \"format\": \"rodpack-ensemble 1\"");
-  EXPECT_EQ(error_of("half a fi"),
-            "/e.json: expected a JSON object with \"format\": \"rodpack-ensemble 1\"");
+  EXPECT_EQ(error_of("half a fi"), "/e.json:1: expected a JSON object, found an error in it here");
   EXPECT_THAT(error_of(R"({"format": "rodpack-ensemble 1", "cases": {"a": 1}, "notes": []})"),
               testing::StartsWith("/e.json: is not as `rodpack ensemble` writes it"));
   EXPECT_THROW(read_ensemble((folder / "none.json").string()), DataError);

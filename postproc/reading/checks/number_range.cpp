@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "reading/checks/number_range.h"
+
+#include <cmath>
+
+#include "reading/number_text.h"
+
+namespace rodpack {
+
+bool NumberRange::contains(double value) const {
+  return std::isfinite(value) && value >= low && value <= high && !(above_low && value == low) &&
+         !(whole && value != std::round(value));
+}
+
+std::string NumberRange::text() const {
+  const std::string kind = whole ? "a whole number" : "a number";
+  if (above_low) return kind + " above " + number_text(low) + ", at most " + number_text(high, 16);
+  return kind + " of " + number_text(low) + " to " + number_text(high, 16);
+}
+
+}  // namespace rodpack
