@@ -102,6 +102,12 @@ function(mend_restarts folder)
   mend(${folder} write_restart.cpp "fopen(hfile,\"wb\")" "rodpack::open_restart(hfile)")
   mend(${folder} write_restart.cpp "fopen(perproc,\"wb\")" "rodpack::open_restart(perproc)")
   mend(${folder} write_restart.cpp "fclose(fp);" "rodpack::close_restart(lmp,fp);")
+  # Not after a day, when the first file is due.
+  include_in(${folder} output.cpp restart_seal.h)
+  mend(${folder} output.cpp "  if (restart == NULL) restart = new WriteRestart(lmp);
+}" "  for (int k = 1; k < narg; k++) rodpack::require_folder_of_restart(lmp,arg[k]);
+  if (restart == NULL) restart = new WriteRestart(lmp);
+}")
   include_in(${folder} read_restart.cpp restart_seal.h)
   mend(${folder} read_restart.cpp
     "  if (narg != 1) error->all(FLERR,\"Illegal read_restart command\");"

@@ -9,8 +9,10 @@
 #include <map>
 #include <vector>
 
+#include "comm.h"
 #include "error.h"
 #include "lammps.h"
+#include "output_file.h"
 #include "run_parameters.h"
 
 using LAMMPS_NS::LAMMPS;
@@ -98,6 +100,14 @@ void close_restart(LAMMPS* lmp, std::FILE* file) {
   unlink(part.c_str());
   const std::string text = "Cannot write restart file " + name +
                            (reason ? std::string(": ") + std::strerror(reason) : "");
+  lmp->error->one(FLERR, text.c_str());
+}
+
+void require_folder_of_restart(LAMMPS* lmp, const char* name) {
+  if (lmp->comm->me != 0) return;
+  const std::string fault = LAMMPS_NS::fault_of_folder(name);
+  if (fault.empty()) return;
+  const std::string text = std::string("Cannot write restart file ") + name + ": " + fault;
   lmp->error->one(FLERR, text.c_str());
 }
 

@@ -30,6 +30,9 @@ std::FILE* open_restart(const char* name);
 /// possible the run stops, and what stood under that name before still does.
 void close_restart(LAMMPS_NS::LAMMPS* lmp, std::FILE* file);
 
+/// Stops the run unless restart files can be made in the folder of `name`.
+void require_folder_of_restart(LAMMPS_NS::LAMMPS* lmp, const char* name);
+
 /// What is wrong with the seal of a file, as the end of a sentence that begins with its name; empty
 /// if it is whole, and `parameters` are those of its run.
 std::string fault_of_restart(const char* name, std::string& parameters);

@@ -51,7 +51,7 @@ std::string for_each_file(const std::string& folder,
   closedir(directory);
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {
-    const std::string what = act(name);
+    std::string what = act(name);
     if (!what.empty()) return what;
   }
   return "";

@@ -115,6 +115,12 @@ TEST(WriteErrors, ADumpsFolderThatCannotBeThereIsRefusedBeforeTheFirstStep) {
   }
 }
 
+TEST(WriteErrors, ARestartFilesFolderThatIsNotThereIsRefusedBeforeTheFirstStep) {
+  expect_stopped("restart 1000000 nowhere/r.*.restart",
+                 "Cannot write restart file nowhere/r.*.restart: folder nowhere/: No such file");
+  expect_stopped("restart 1000000 a.restart nowhere/b.restart", "folder nowhere/: No such file");
+}
+
 // A limit of 16 KiB for a file in place of a full disk: the dump of some 1400 spheres is larger.
 // What was whole stays, and what is not has not got its name.
 TEST(WriteErrors, AFileThatIsCutOffDoesNotGetItsName) {
