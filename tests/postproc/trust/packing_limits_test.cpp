@@ -64,6 +64,21 @@ TEST(PackingLimits, ContainersAreAtLeastAsWideAsAParticle) {
                         "one of 0.0029 m"));
 }
 
+// Found by fuzzing: rods much longer than the period took seconds each.
+TEST(PackingLimits, PeriodsAreAtLeastAsLongAsAParticle) {
+  PackingOptions options;
+  const auto error = [&](double period) {
+    options.walls = {0, period, 0};
+    auto frame = two_rods("0.2");
+    frame.periodic[0] = true;
+    return error_of([&] { read_packing(frame, options); });
+  };
+  EXPECT_EQ(error(0.0151), "no error");
+  EXPECT_THAT(error(0.0149),
+              HasSubstr("--walls: expected a period of at least a particle's length, "
+                        "0.015 m, found one of 0.0149 m"));
+}
+
 TEST(PackingLimits, GridsAreLimitedInPlaces) {
   const auto frame = two_rods("0.2");
   FieldOptions options;
