@@ -97,6 +97,11 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
   if (!ratios.contains(packing.aspect_ratio))
     throw DataError(where + ": aspect ratio AR: expected " + ratios.text() + ", found " +
                     number_text(packing.aspect_ratio, 4));
+  // It would touch itself, and a kernel of its size would see many images of all others.
+  if (!packing.walls.sides && packing.axial_length() > packing.walls.width())
+    throw DataError(packing.walls.source + ": expected a period of at least a particle's length, " +
+                    number_text(packing.axial_length(), 4) + " m, found one of " +
+                    number_text(packing.walls.width(), 4) + " m");
   const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
   packing.surface =
       bed_surface(packing.y, packing.area, packing.walls.floor, packing.walls.width(), layer);

@@ -29,10 +29,13 @@ struct Contact {
 Frame contacts_frame(const std::vector<Contact>& contacts, long timestep = 5) {
   std::ostringstream rows;
   rows.precision(16);
-  for (const auto& [i, j, f, n, b] : contacts)
-    rows << i << ' ' << j << " 1 2 " << (j == 0) << " 0 0 0 " << f[0] << ' ' << f[1] << ' ' << f[2]
-         << ' ' << b[0] << ' ' << b[1] << " 0 " << b[2] << ' ' << b[3] << " 0 1e-6 0 " << n[0]
-         << ' ' << n[1] << ' ' << n[2] << '\n';
+  int spheres = 0;  // each contact is one of two other spheres
+  for (const auto& [i, j, f, n, b] : contacts) {
+    spheres += 2;
+    rows << i << ' ' << j << ' ' << spheres - 1 << ' ' << spheres << ' ' << (j == 0) << " 0 0 0 "
+         << f[0] << ' ' << f[1] << ' ' << f[2] << ' ' << b[0] << ' ' << b[1] << " 0 " << b[2] << ' '
+         << b[3] << " 0 1e-6 0 " << n[0] << ' ' << n[1] << ' ' << n[2] << '\n';
+  }
   return last_frame({put(fresh_folder() / "c.dump",
                          frame_head(timestep, contacts.size(), 10, 10,
                                     "body_i body_j sphere_i sphere_j wall x y z fx fy fz bix biy "
