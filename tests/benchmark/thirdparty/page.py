@@ -51,8 +51,6 @@ What they show:
   ([why](../../../liggghts-src-ext/doc/background/theory.md#energy-of-an-undamped-contact)), three times what MFiX's
   scheme gains. Velocity Verlet keeps it. Order 4 loses 1040/N⁵. [Which order to
   take](../../../liggghts-src-ext/doc/fix_multisphere_ab.md#which-order).
-- Where a sphere crosses more than 2 % of its radius in a step, the correction at the end of its contact is lost: in
-  DEM01 at 2.5e4 N/m and with 30 steps at 5e4 N/m ("until 0.5 s").
 - LIGGGHTS's own `tangential history` adds up Δt v_t. Under velocity Verlet v_t is that of the middle of the step, under
   Adams–Bashforth that of its end, which makes the spring one of first order: give `tangential spring_dashpot` to
   Hertz's law too.
