@@ -94,4 +94,19 @@ void write_profile_table(const PressureProfile& profile, const std::string& file
                    {"solid_fraction", profile.solid_fraction}});
 }
 
+PressureProfile mean_profile(const std::vector<double>& depth_over_dp,
+                             const std::vector<std::optional<double>>& pressure,
+                             double particle_diameter, double omega) {
+  PressureProfile profile;
+  profile.particle_diameter = particle_diameter;
+  profile.scale = omega;
+  profile.depth_of_floor = depth_over_dp.back() * particle_diameter;
+  for (std::size_t k = 0; k < depth_over_dp.size(); ++k) {
+    if (!pressure[k] || !std::isfinite(*pressure[k])) continue;
+    profile.depth.push_back(depth_over_dp[k] * particle_diameter);
+    profile.pressure.push_back(*pressure[k]);
+  }
+  return profile;
+}
+
 }  // namespace rodpack

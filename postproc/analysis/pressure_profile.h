@@ -3,6 +3,7 @@
 #define RODPACK_ANALYSIS_PRESSURE_PROFILE_H
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,14 @@ struct PressureProfile {
   std::vector<double> pressure;            // P_0 = (sigma_1 + sigma_2) / 2, N/m
   std::vector<double> solid_fraction;
 };
+
+/// A mean P_0(h) as a profile, for fit_janssen().
+/// @param depth_over_dp  h below the highest surface, d_p; the last one is that of the floor
+/// @param pressure       P_0, N/m; depths without a value are left out
+/// @param omega          the kernel's width, m
+PressureProfile mean_profile(const std::vector<double>& depth_over_dp,
+                             const std::vector<std::optional<double>>& pressure,
+                             double particle_diameter, double omega);
 
 /// Averages over the frames that were added; walls and surface are those of the first one.
 class ProfileSample {

@@ -9,7 +9,6 @@
 
 #include "analysis/janssen_fit.h"
 #include "ensemble/case_curves.h"
-#include "ensemble/mean_profile.h"
 #include "ensemble/run_analysis.h"
 #include "ensemble/run_cost.h"
 #include "ensemble/statistics.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "reading/number_text.h"
-#include "reading/run_program.h"
+#include "programs/run_program.h"
 #include "reading/text_file.h"
 
 namespace rodpack {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "ensemble/mean_profile.h"
 #include "study/study_case.h"
 
 namespace rodpack {

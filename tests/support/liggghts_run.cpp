@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "campaigns/launch/deck_run.h"
-#include "reading/run_program.h"
+#include "programs/run_program.h"
 
 namespace rodpack::test {
 

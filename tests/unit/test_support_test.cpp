@@ -48,7 +48,7 @@ TEST(TestSupport, ReadsTheThermoTableOfTheFirstRun) {
 TEST(TestSupport, ReadsTheWantedFrameOfADump) {
   const auto frame = [](const std::string& step, const std::string& x) {
     return "ITEM: TIMESTEP\n" + step + "\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff pp\n" +
-           "0 1\n0 1\n0 1\nITEM: ATOMS id x\n1 " + x + "\n2 0.25\n";
+           "0 4\n0 4\n0 1\nITEM: ATOMS id x\n1 " + x + "\n2 0.25\n";
   };
   const auto file = written(frame("10", "1.5") + frame("20", "2.5"));
   EXPECT_EQ(read_dump(file).timestep(), 20);

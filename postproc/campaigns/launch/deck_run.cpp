@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reading/data_error.h"
-#include "reading/run_program.h"
+#include "programs/run_program.h"
 #include "reading/text_file.h"
 
 namespace rodpack {

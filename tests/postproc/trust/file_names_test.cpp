@@ -6,7 +6,7 @@
 
 #include "liggghts_run.h"
 #include "reading/dump.h"
-#include "reading/run_program.h"
+#include "programs/run_program.h"
 #include "reading/wildcard.h"
 #include "../synthetic_packing.h"
 

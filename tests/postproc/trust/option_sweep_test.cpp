@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "liggghts_run.h"
-#include "reading/run_program.h"
+#include "programs/run_program.h"
 #include "../synthetic_packing.h"
 
 namespace {

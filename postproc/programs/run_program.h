@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_READING_RUN_PROGRAM_H
-#define RODPACK_READING_RUN_PROGRAM_H
+#ifndef RODPACK_PROGRAMS_RUN_PROGRAM_H
+#define RODPACK_PROGRAMS_RUN_PROGRAM_H
 
 #include <map>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "reading/run_program.h"
+#include "programs/run_program.h"
 
 #include <fcntl.h>
 #include <spawn.h>
