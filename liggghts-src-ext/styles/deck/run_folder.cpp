@@ -71,9 +71,9 @@ std::string RunFolder::substituted(const std::string& text) const {
   int size = static_cast<int>(text.size()) + 1, work_size = size;
   char* copy = static_cast<char*>(memory->smalloc(size, "run_folder:copy"));
   char* work = static_cast<char*>(memory->smalloc(work_size, "run_folder:work"));
-  std::strcpy(copy, text.c_str());
+  std::memcpy(copy, text.c_str(), static_cast<std::size_t>(size));
   input->substitute(copy, work, size, work_size, 0);
-  const std::string result = copy;
+  std::string result = copy;
   memory->sfree(copy);
   memory->sfree(work);
   return result;

@@ -13,7 +13,6 @@ using rodpack::test::fresh_folder;
 using rodpack::test::put;
 using rodpack::test::SyntheticPacking;
 using testing::HasSubstr;
-using testing::Not;
 namespace fs = std::filesystem;
 
 auto rodpack_command(const std::string& arguments, const fs::path& folder) {

@@ -13,8 +13,6 @@
 namespace {
 using rodpack::test::fresh_folder;
 using rodpack::test::put;
-using testing::ElementsAreArray;
-using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 constexpr const char* subcommands[] = {"analyse",  "report",  "orientation",    "rdf",     "forces",
