@@ -76,7 +76,7 @@ fi
 # The deck opens the run's log; before that there is none, which runs side by side would share.
 $launcher "${LIGGGHTS:-$here/../../build/bin/liggghts}" -log none \
   -in "$here/in.deposition" -var out "$out" "$@"
-# LIGGGHTS ends well, too, when a signal has stopped it on the way.
+# LIGGGHTS ends well, too, when the deck has said an error and quit.
 if ! is_complete; then
   echo "$out is not complete: the same command goes on from its last restart file" >&2
   exit 1

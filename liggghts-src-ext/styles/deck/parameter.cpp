@@ -79,11 +79,11 @@ void Parameter::command(int narg, char** arg) {
 
 void Parameter::declare(int narg, char** arg) {
   if (narg < 3)
-    stop_run(lmp,
-             "expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME "
-             "choice A B "
-             "...', got " +
-                 std::to_string(narg) + " words");
+    stop_run(
+        lmp,
+        "expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME choice A B "
+        "...', got " +
+            std::to_string(narg) + " words");
   Declaration it{arg[0], arg[1], take_value(arg[0], arg[2]), ""};
   StyleArguments arguments(lmp, "parameter '" + it.name + "'", narg, arg, 2);
   if (it.type == "choice") {
@@ -251,11 +251,7 @@ void Parameter::compare(const std::string& file, const std::set<std::string>& ex
                    ", got " + d.value;
     }
   }
-  int size = static_cast<int>(difference.size());
-  MPI_Bcast(&size, 1, MPI_INT, 0, world);
-  difference.resize(size);
-  MPI_Bcast(&difference[0], size, MPI_CHAR, 0, world);
-  if (size > 0) stop_run(lmp, difference);
+  stop_run_by_rank_0(lmp, difference);
 }
 
 std::string Parameter::take_value(const std::string& name, const std::string& fallback) const {

@@ -31,11 +31,8 @@ void RunFolder::command(int narg, char** arg) {
              "run_folder: expected 'run_folder open FOLDER [SUBFOLDER ...]', 'run_folder resume "
              "FOLDER RESTART_FILE' or 'run_folder write FILE TEXT'");
   }
-  int size = static_cast<int>(fault.size());
-  MPI_Bcast(&size, 1, MPI_INT, 0, world);
-  fault.resize(size);
-  MPI_Bcast(&fault[0], size, MPI_CHAR, 0, world);
-  if (size > 0) stop_run(lmp, "run_folder " + verb + " " + words[1] + ": " + fault);
+  if (!fault.empty()) fault = "run_folder " + verb + " " + words[1] + ": " + fault;
+  stop_run_by_rank_0(lmp, fault);
 }
 
 std::string RunFolder::open(const std::vector<std::string>& words) const {

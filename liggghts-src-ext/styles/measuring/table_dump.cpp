@@ -23,11 +23,8 @@ void require_folder(LAMMPS* lmp, const Dump& dump, const std::string& file) {
   int rank = 0;
   MPI_Comm_rank(lmp->world, &rank);
   std::string fault = rank == 0 ? fault_of_folder(file) : "";
-  int size = static_cast<int>(fault.size());
-  MPI_Bcast(&size, 1, MPI_INT, 0, lmp->world);
-  fault.resize(size);
-  MPI_Bcast(&fault[0], size, MPI_CHAR, 0, lmp->world);
-  if (size > 0) stop_run(lmp, dump, "Cannot write dump file " + file + ": " + fault);
+  if (!fault.empty()) fault = name_of(dump) + ": Cannot write dump file " + file + ": " + fault;
+  stop_run_by_rank_0(lmp, fault);
 }
 
 TableDump::TableDump(LAMMPS* lmp, int narg, char** arg) : Dump(lmp, narg, arg) {

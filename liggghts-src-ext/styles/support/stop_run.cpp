@@ -50,6 +50,14 @@ void stop_run(LAMMPS* lmp, const std::string& message) {
   std::abort();  // not reached: Error::all ends the run, but does not say so to the compiler
 }
 
+void stop_run_by_rank_0(LAMMPS* lmp, std::string message) {
+  int size = static_cast<int>(message.size());
+  MPI_Bcast(&size, 1, MPI_INT, 0, lmp->world);
+  message.resize(size);
+  MPI_Bcast(&message[0], size, MPI_CHAR, 0, lmp->world);
+  if (size > 0) stop_run(lmp, message);
+}
+
 void stop_run_from_one_rank(LAMMPS* lmp, const std::string& message) {
 #ifdef RODPACK_STAGED
   lmp->error->one(FLERR, in_units_of_deck(lmp, message).c_str());

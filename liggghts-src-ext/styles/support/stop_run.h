@@ -27,6 +27,10 @@ template <class Style>
   stop_run(lmp, name_of(style) + ": " + message);
 }
 
+/// Ends the run with what rank 0 alone has found, unless its `message` is empty; those of other
+/// ranks do not matter. All ranks have to call it.
+void stop_run_by_rank_0(LAMMPS* lmp, std::string message);
+
 /// Ends the run from one rank, where the others cannot know what it has found: "ERROR on proc RANK:
 /// MESSAGE". All output of this rank so far, and the line, arrive wherever they are sent to.
 [[noreturn]] void stop_run_from_one_rank(LAMMPS* lmp, const std::string& message);
