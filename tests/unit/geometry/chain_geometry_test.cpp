@@ -218,11 +218,13 @@ TEST(ChainGeometry, RefusesWhatIsOutOfRangeAndNamesIt) {
   } bad[] = {
       {{0.9, d_p, 0.5, 0, d_p}, "aspect ratio = 0.9: expected 1 to 1e4"},
       {{nan, d_p, 0.5, 0, d_p}, "aspect ratio = nan: expected 1 to 1e4"},
-      {{5, 0, 0.5, 0, d_p}, "nominal primary diameter = 0: expected a positive length"},
+      {{5, 0, 0.5, 0, d_p}, "nominal primary diameter = 0: expected a length from 1e-12 to 1e6"},
       {{5, d_p, 1, 0, d_p}, "overlap = 1: expected 0 to 0.9999"},
       {{5, d_p, -0.1, 0, d_p}, "overlap = -0.1: expected 0 to 0.9999"},
       {{5, d_p, 0.5, 3.2, d_p}, "curvature angle = 3.2: expected 0 to pi rad"},
-      {{5, d_p, 0.5, 0, -1}, "primary diameter = -1: expected a positive length"},
+      {{5, d_p, 0.5, 0, -1}, "primary diameter = -1: expected a length from 1e-12 to 1e6"},
+      {{5, d_p, 0.5, 0, 1e308}, "primary diameter = 1e+308: expected a length from 1e-12 to 1e6"},
+      {{1e4, d_p, 0.95, 0, d_p}, "number of primary spheres = 199981: expected at most 100000"},
       {{1.02, d_p, 0.5, 0, 3.15e-3},
        "primary diameter = 0.00315: expected less than the axial length"},
   };

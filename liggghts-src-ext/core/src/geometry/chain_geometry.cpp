@@ -11,6 +11,11 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+// Lengths outside of these, m, are mistakes; within, no power of them that mass, inertia or area
+// take leaves the range of a double.
+constexpr double shortest = 1e-12, longest = 1e6;
+constexpr int most_spheres = 100000;
+
 // Below this angle the arc's height is lost in round-off and the chain is treated as straight.
 constexpr double straight_angle = 1e-12;
 
@@ -44,17 +49,20 @@ double area_of_wedge(double r, double R, double angle) {
 }  // namespace
 
 void validate(const ChainShape& shape) {
-  // Written so that NaN fails; the upper bounds keep the sphere count within an int.
+  // Written so that NaN fails; the bounds of aspect ratio and overlap keep the count within an int.
   require(shape.aspect_ratio >= 1.0 && shape.aspect_ratio <= 1e4, "aspect ratio",
           shape.aspect_ratio, "1 to 1e4");
-  require(shape.nominal_diameter > 0.0 && std::isfinite(shape.nominal_diameter),
-          "nominal primary diameter", shape.nominal_diameter, "a positive length");
+  const auto is_length = [](double d) { return d >= shortest && d <= longest; };
+  require(is_length(shape.nominal_diameter), "nominal primary diameter", shape.nominal_diameter,
+          "a length from 1e-12 to 1e6");
   require(shape.overlap >= 0.0 && shape.overlap <= 0.9999, "overlap", shape.overlap, "0 to 0.9999");
   require(shape.curvature_angle >= 0.0 && shape.curvature_angle <= pi * (1.0 + 1e-12),
           "curvature angle", shape.curvature_angle, "0 to pi rad");
-  require(shape.diameter > 0.0 && std::isfinite(shape.diameter), "primary diameter", shape.diameter,
-          "a positive length");
-  if (chain_count(shape.aspect_ratio, shape.overlap) > 1)
+  require(is_length(shape.diameter), "primary diameter", shape.diameter,
+          "a length from 1e-12 to 1e6");
+  const int count = chain_count(shape.aspect_ratio, shape.overlap);
+  require(count <= most_spheres, "number of primary spheres", count, "at most 100000");
+  if (count > 1)
     require(shape.diameter < axial_length(shape), "primary diameter", shape.diameter,
             "less than the axial length");
 }

@@ -34,9 +34,9 @@ std::array<double, 3> coarse_chain_inertia(ChainShape shape, double mass) {
 MassProperties mass_properties(const ChainShape& drawn, double density, MassRule rule,
                                bool follow_drawn_size) {
   validate(drawn);
-  if (!(density > 0.0) || !std::isfinite(density)) {
+  if (!(density >= 1e-9 && density <= 1e9)) {
     std::ostringstream message;
-    message << "density = " << density << ": expected a positive number";
+    message << "density = " << density << ": expected 1e-9 to 1e9";
     throw std::invalid_argument(message.str());
   }
   ChainShape shape = drawn;
