@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// totalForceCap: what of it needs no closed form of an impact. Those are in
+// tests/benchmark/thirdparty/closed_forms_test.py, events in tests/unit/contact/friction_cap_test.cpp.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "deck.h"
+#include "liggghts_run.h"
+
+using namespace rodpack::test;
+using testing::HasSubstr;
+
+namespace {
+
+const std::string law = "model spring_dashpot tangential spring_dashpot ";
+
+/// Spheres 1 and 2 collide obliquely across x = 0, 3 falls on the floor and slides; the whole in
+/// `cap`, a setting of both contact laws. From `restart` on, if it is not empty.
+std::string scene(const std::string& cap, const std::string& restart, const std::string& run) {
+  const std::string spheres = R"(
+create_atoms 1 single -0.00151 0.0104 0 units box
+create_atoms 1 single  0.00151 0.0096 0 units box
+create_atoms 1 single -0.008 0.00152 0 units box
+set group all diameter 0.003 density 2500
+set atom 1 vx 0.5 omegaz 40
+set atom 2 vx -0.5
+set atom 3 vx 2 vy -0.5
+)";
+  return Deck()
+      .box("-0.02 0.02 0 0.03 -0.01 0.01")
+      .processors("* 1 1")
+      .damping("0.3")
+      .models(law + cap)
+      .restart(restart)
+      .with("fix floor all wall/gran " + law + "primitive type 1 yplane 0 " + cap +
+            (restart.empty() ? spheres : "\n") +
+            "fix motion all nve/sphere/ab order 3\nfix weight all gravity 9.81 vector 0 -1 0\n" +
+            "thermo 1000000\n" + run + "\nwrite_dump all custom end.dump id x y vx vy omegaz modify "
+                                       "format \"%g %.17g %.17g %.17g %.17g %.17g\" sort id\n");
+}
+
+Table end_of(const Run& run) {
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  return read_dump(run.folder / "end.dump");
+}
+
+void expect_same_bits(const Table& a, const Table& b) {
+  ASSERT_EQ(a.rows(), 3u);
+  for (const char* name : {"id", "x", "y", "vx", "vy", "omegaz"})
+    EXPECT_EQ(a.column(name), b.column(name)) << name;
+}
+
+const char* const on = "totalForceCap on";
+
+}  // namespace
+
+TEST(TotalForceCap, IsOffUnlessAskedFor) {
+  const Table without = end_of(run_liggghts(scene("", "", "run 120")));
+  expect_same_bits(end_of(run_liggghts(scene("totalForceCap off", "", "run 120"))), without);
+  const Table with = end_of(run_liggghts(scene(on, "", "run 120")));
+  for (const double row : {0, 2}) {  // both contacts have slid
+    const std::size_t i = static_cast<std::size_t>(row);
+    EXPECT_GT(std::fabs(with.column("vx")[i] / without.column("vx")[i] - 1), 1e-3);
+  }
+}
+
+// A sphere that sinks into the floor and comes out again while it slides: friction is mu times the
+// whole normal force in every step, as the contacts are listed. The elastic force is another one.
+TEST(TotalForceCap, ListedContactsSlideUnderTheWholeForce) {
+  const auto run =
+      run_liggghts(scene(on, "", "dump c all contact/gran 1 c.dump\nrun 40"));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  int seen = 0;
+  double largest = 0;
+  for (int frame = 0; frame <= 40; ++frame) {
+    const Table contacts = read_dump(run.folder / "c.dump", frame);
+    for (std::size_t c = 0; c < contacts.rows(); ++c) {
+      if (contacts.column("wall")[c] != 1) continue;
+      const double fx = contacts.column("fx")[c], fy = contacts.column("fy")[c];
+      EXPECT_NEAR(fx, -0.3 * fy, 1e-12 * 0.3 * fy) << frame;
+      EXPECT_NEAR(contacts.column("overlap_t")[c], 0.3 * fy / 500, 1e-12 * fy) << frame;
+      largest = std::max(largest, std::fabs(fy / (1000 * contacts.column("overlap_n")[c]) - 1));
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 20);
+  EXPECT_GT(largest, 0.5);
+}
+
+TEST(TotalForceCap, RestartRepeatsTheUninterruptedRunToTheLastBit) {
+  for (const int before : {5, 15, 30}) {  // in the contacts: their begin, middle and end
+    const std::string first = "run " + std::to_string(before);
+    const auto whole = run_liggghts(scene(on, "", first + "\nwrite_restart half\nrun 60"));
+    const Table expected = end_of(whole);
+    expect_same_bits(end_of(run_liggghts_in(whole.folder, scene(on, "half", "run 60"))), expected);
+  }
+}
+
+// The springs of one cap are too long under the other, and the other keeps more of a contact.
+TEST(TotalForceCap, ARestartUnderTheOtherCapIsRefused) {
+  for (const std::string cap : {on, "totalForceCap off"}) {
+    const auto first = run_liggghts(scene(cap, "", "run 15\nwrite_restart half"));
+    ASSERT_EQ(first.exit_code, 0) << first.output;
+    const auto other =
+        run_liggghts_in(first.folder, scene(cap == on ? "" : on, "half", "run 10"));
+    EXPECT_NE(other.exit_code, 0);
+    EXPECT_THAT(other.output, HasSubstr("saved simulation state used different contact history"));
+  }
+}
+
+TEST(TotalForceCap, RanksGiveTheSameBits) {
+  const Table one = end_of(run_liggghts(scene(on, "", "run 120")));
+  expect_same_bits(end_of(run_liggghts(scene(on, "", "run 120"), {}, 2)), one);
+}
