@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // totalForceCap: what of it needs no closed form of an impact. Those are in
-// tests/benchmark/thirdparty/closed_forms_test.py, events in tests/unit/contact/friction_cap_test.cpp.
+// tests/benchmark/thirdparty/closed_forms_test.py, events in
+// tests/unit/contact/friction_cap_test.cpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,8 +40,9 @@ set atom 3 vx 2 vy -0.5
       .with("fix floor all wall/gran " + law + "primitive type 1 yplane 0 " + cap +
             (restart.empty() ? spheres : "\n") +
             "fix motion all nve/sphere/ab order 3\nfix weight all gravity 9.81 vector 0 -1 0\n" +
-            "thermo 1000000\n" + run + "\nwrite_dump all custom end.dump id x y vx vy omegaz modify "
-                                       "format \"%g %.17g %.17g %.17g %.17g %.17g\" sort id\n");
+            "thermo 1000000\n" + run +
+            "\nwrite_dump all custom end.dump id x y vx vy omegaz modify "
+            "format \"%g %.17g %.17g %.17g %.17g %.17g\" sort id\n");
 }
 
 Table end_of(const Run& run) {
@@ -71,8 +73,7 @@ TEST(TotalForceCap, IsOffUnlessAskedFor) {
 // A sphere that sinks into the floor and comes out again while it slides: friction is mu times the
 // whole normal force in every step, as the contacts are listed. The elastic force is another one.
 TEST(TotalForceCap, ListedContactsSlideUnderTheWholeForce) {
-  const auto run =
-      run_liggghts(scene(on, "", "dump c all contact/gran 1 c.dump\nrun 40"));
+  const auto run = run_liggghts(scene(on, "", "dump c all contact/gran 1 c.dump\nrun 40"));
   ASSERT_EQ(run.exit_code, 0) << run.output;
   int seen = 0;
   double largest = 0;
@@ -105,8 +106,7 @@ TEST(TotalForceCap, ARestartUnderTheOtherCapIsRefused) {
   for (const std::string cap : {on, "totalForceCap off"}) {
     const auto first = run_liggghts(scene(cap, "", "run 15\nwrite_restart half"));
     ASSERT_EQ(first.exit_code, 0) << first.output;
-    const auto other =
-        run_liggghts_in(first.folder, scene(cap == on ? "" : on, "half", "run 10"));
+    const auto other = run_liggghts_in(first.folder, scene(cap == on ? "" : on, "half", "run 10"));
     EXPECT_NE(other.exit_code, 0);
     EXPECT_THAT(other.output, HasSubstr("saved simulation state used different contact history"));
   }

@@ -110,6 +110,28 @@ TEST(TotalCap, SlidingFrictionJumpsAtTouchByTheDashpot) {
                 -mu * (k * w * s * s * s / 6 + c * w * s * s / 2));
 }
 
+// At touch the dashpots alone decide, gamma_t v against mu c w. Here that is too much by a tenth,
+// and the contact slides, until it stands still: although at the end of the step the cap, which
+// grows by mu k w per second, is above spring and dashpot.
+TEST(TotalCap, AContactThatSlidAtTouchSlidesOn) {
+  const double w = 0.2, v = 1.1 * mu * c * w / gamma_t;
+  for (const double share : {0.1, 0.9}) {
+    const double s = share * 20 * dt;
+    const TangentialStep long_step = {3, 1000, 20 * dt};
+    const SampleContact contact = on_the_move(w * s, v, -w);
+    const double cap = mu * (k * w * s + c * w);
+    EXPECT_EQ(kt * v * s + gamma_t * v > cap, share == 0.1);
+    Friction friction;
+    const TangentialForce force = tangential_contact_force(
+        contact, friction.history, TotalCap(mu, normal_force_of(contact), friction.cap), true,
+        long_step, static_cast<const RecordedEvents*>(&friction.told), &friction.told);
+    EXPECT_TRUE(force.sliding);
+    EXPECT_NEAR(force.force[0], -cap, 1e-14);
+    ASSERT_EQ(friction.told.events.size(), 1u);
+    EXPECT_NEAR(friction.told.events[0].on_i.rate[0], -mu * k * w, 1e-9);
+  }
+}
+
 // The elastic cap would let the same contact slide: mu k w s = 4.2e-4 N. Spring and dashpot are
 // those of a contact that sticks.
 TEST(TotalCap, AContactSticksAtTouchWhereTheDashpotsAllowIt) {

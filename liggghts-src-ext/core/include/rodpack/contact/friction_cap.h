@@ -19,6 +19,8 @@ namespace rodpack {
 //   damped: whether the dashpot of the normal force is in it;
 //   friction: the constant that is kept for the contact's end;
 //   renew(...): a new step begins; then now(contact) and rate(contact, dt), N and N/s;
+//   slides_from_touch(contact): whether a contact that has just touched slid at once, in the limit
+//     of small steps, although it may fit under the cap by now;
 //   acted_before(): whether there was a normal force one step ago; if not, since_return(dt) is the
 //     time since there is one again;
 //   report_slide(...): what the changes of the normal force in this step do to sliding friction;
@@ -40,6 +42,11 @@ struct ElasticCap {
   template <class Contact>
   double rate(const Contact& contact, double) const {
     return coulomb_cap(friction, -contact.vn);
+  }
+  /// Its cap is 0 at touch, and grows: to decide by the force of now errs by that much alone.
+  template <class Contact>
+  bool slides_from_touch(const Contact&) const {
+    return false;
   }
   bool acted_before() const { return true; }
   double since_return(double) const { return 0.0; }
@@ -117,6 +124,13 @@ class TotalCap {
   template <class Contact>
   double rate(const Contact& contact, double dt) const {
     return (now(contact) - coulomb_cap(friction, std::max(0.0, before_))) / dt;
+  }
+  /// At touch there are the forces of both dashpots alone.
+  template <class Contact>
+  bool slides_from_touch(const Contact& contact) const {
+    const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+    return history_->normal.just_touched && contact.gammat * std::sqrt(dot(velocity, velocity)) >
+                                                coulomb_cap(friction, -contact.gamman * contact.vn);
   }
   bool acted_before() const { return before_ > 0.0; }
   double since_return(double dt) const {

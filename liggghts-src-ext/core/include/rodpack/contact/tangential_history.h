@@ -123,7 +123,7 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
     if (!touched_in_step(contact, dt)) past.since = history.since = 0.0;
     for (int k = 1; k < history.slots; ++k) std::fill_n(history.velocity[k], 3, 0.0);
     std::copy(velocity, velocity + 3, history.velocity[0]);
-    history.known = 1;
+    history.known = past.known = 1;
     history.sliding = false;
     return past;
   }
@@ -263,6 +263,7 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
     cap.renew(contact, past.alive, step.dt, followed);
     if (followed && past.alive && !cap.acted_before())
       begin_anew(contact, cap.since_return(step.dt), past, history);
+    if (followed && !past.alive) past.sliding = cap.slides_from_touch(contact);
   }
 
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
@@ -272,7 +273,7 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
   const double limit = cap.now(contact);
   FrictionForce law;
   law.changed = false;
-  if (renewed && followed && past.alive && contact.gammat > 0.0 &&
+  if (renewed && followed && (past.alive || past.sliding) && contact.gammat > 0.0 &&
       may_change_branch(contact, past, spring, velocity, limit)) {
     law = follow_through_step(contact, past, history, cap, step.dt, spring);
     std::copy(law.force, law.force + 3, force);
