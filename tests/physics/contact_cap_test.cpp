@@ -8,10 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <string>
 
 #include "deck.h"
 #include "liggghts_run.h"
+#include "reading/number_text.h"
+#include "table.h"
 
 using namespace rodpack::test;
 using testing::HasSubstr;
@@ -60,6 +65,33 @@ void expect_same_bits(const Table& a, const Table& b) {
 }
 
 const char* const on = "totalForceCap on";
+
+std::string exact(double value) { return rodpack::number_text(value, 17); }
+
+/// Rods that land on the floor under the total cap, at 1.6 ms, in `steps` steps; `fall` says how.
+Table landed(std::map<std::string, std::string> fall, const std::string& events, int steps) {
+  std::ifstream stream(RODPACK_REPOSITORY "/inputs/accuracy/in.rods");
+  std::string deck{std::istreambuf_iterator<char>(stream), {}};
+  const std::string order = "multistepOrder 4", both = order + " " + on;
+  for (auto at = deck.find(order); at != std::string::npos; at = deck.find(order, at + both.size()))
+    deck.replace(at, order.size(), both);
+  fall.insert({{"integrator", "multisphere/ab order 3 planar yes events " + events},
+               {"dt", exact(1.6e-3 / steps)},
+               {"steps", std::to_string(steps)},
+               {"rods", "6"},
+               {"shift", "3.1e-7"}});
+  return end_of(run_liggghts(deck, fall));
+}
+
+/// Root mean square of the differences of velocities, and of spins times half a rod.
+double difference(const Table& a, const Table& b) {
+  double sum = 0;
+  for (const auto& [name, scale] :
+       {std::pair("vx", 1.0), std::pair("vy", 1.0), std::pair("omegaz", 5e-3)})
+    for (std::size_t i = 0; i < a.rows(); ++i)
+      sum += std::pow(scale * (a.column(name)[i] - b.column(name)[i]), 2);
+  return std::sqrt(sum / static_cast<double>(a.rows()));
+}
 
 }  // namespace
 
@@ -130,4 +162,20 @@ TEST(TotalForceCap, RanksAgreeWithOneRankToRounding) {
       const double expected = one.column(name)[i];
       EXPECT_NEAR(two.column(name)[i], expected, (i < 2 ? 1e-13 : 0) * std::fabs(expected)) << name;
     }
+}
+
+// A rod that falls on its end, and one whose spheres land one after the other: touch, slide, stick
+// and end, and what they do to the other contacts of the rod. The reference is the same method at a
+// step 16 times finer than the finest. Under the elastic cap the first has no limit of small steps.
+TEST(TotalForceCap, RodsLandInThirdOrder) {
+  const std::string tilt = exact(std::cos(M_PI / 72)) + " 0 0 " + exact(std::sin(M_PI / 72));
+  for (const std::map<std::string, std::string>& fall :
+       {std::map<std::string, std::string>{{"height", "0.00724"}},
+        std::map<std::string, std::string>{{"height", "0.0024"}, {"orientation", tilt}}}) {
+    const Table reference = landed(fall, "yes", 480 * 16);
+    const double coarse = difference(landed(fall, "yes", 120), reference);
+    const double fine = difference(landed(fall, "yes", 480), reference);
+    EXPECT_NEAR(observed_order(coarse, fine, 4), 3, 0.2);
+    EXPECT_GT(difference(landed(fall, "no", 480), reference), 1000 * fine);  // of first order
+  }
 }
