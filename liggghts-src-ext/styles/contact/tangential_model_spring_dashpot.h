@@ -70,7 +70,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     hsetup->add_history_value("spring_dashpot_friction", "0");
     hsetup->add_history_value("spring_dashpot_kt", "0");
     hsetup->add_history_value("spring_dashpot_damping", "0");
-    // Without them a restart file of one cap cannot be taken for one of the other.
+    // They also tell the restart files of the two caps apart.
     for (int value = 0; total_cap_ && value < rodpack::stored_cap_values; ++value) {
       const int index =
           hsetup->add_history_value("spring_dashpot_cap_" + std::to_string(value), "0");
@@ -135,7 +135,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   rodpack::TangentialForce under_total_cap(const SurfacesIntersectData& sidata, double mu,
                                            TangentialHistory& history, bool renewed) const {
     double* const stored = sidata.contact_history + cap_offset_;
-    rodpack::CapHistory before = rodpack::unpack_cap(stored);
+    rodpack::CapHistory memory = rodpack::unpack_cap(stored);
     // The force that the models along the normal have set, and how far below 0 it would be.
     const double viscoelastic =
         sidata.Fn > 0.0
@@ -143,9 +143,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
             : std::min(sidata.Fn, rodpack::viscoelastic_force(sidata.kn, sidata.deltan,
                                                               sidata.gamman, sidata.vn));
     const rodpack::TangentialForce result = rodpack::tangential_contact_force(
-        sidata, history, rodpack::TotalCap(mu, viscoelastic, before), renewed, this_step(), events_,
+        sidata, history, rodpack::TotalCap(mu, viscoelastic, memory), renewed, this_step(), events_,
         ContactEvents::armed());
-    if (sidata.computeflag) rodpack::pack(before, stored);
+    if (sidata.computeflag) rodpack::pack(memory, stored);
     return result;
   }
 

@@ -27,6 +27,14 @@ namespace rodpack {
 //   report_end(...): that sliding friction has ended with the contact.
 // `Contact`: see contact_motion.h; `Events`: see normal_history.h.
 
+/// The direction of the force of a slide, against its spring; false without a spring.
+inline bool slide_direction(const double (&spring)[3], double (&direction)[3]) {
+  const double length = std::sqrt(dot(spring, spring));
+  if (!(length > 0.0)) return false;
+  for (int d = 0; d < 3; ++d) direction[d] = -spring[d] / length;
+  return true;
+}
+
 /// mu times the force of the normal spring. It depends on the overlap alone, so that it is smooth
 /// from touch to end, and has nothing to say when the normal force changes.
 struct ElasticCap {
@@ -43,7 +51,7 @@ struct ElasticCap {
   double rate(const Contact& contact, double) const {
     return coulomb_cap(friction, -contact.vn);
   }
-  /// Its cap is 0 at touch, and grows: to decide by the force of now errs by that much alone.
+  /// The cap is 0 at touch, so that there is nothing to weigh: the forces of now decide.
   template <class Contact>
   bool slides_from_touch(const Contact&) const {
     return false;
@@ -137,14 +145,11 @@ class TotalCap {
     return viscoelastic_ > 0.0 ? time_since_zero(before_, viscoelastic_, dt) : 0.0;
   }
 
-  /// `spring`: of the slide, which pulls against it.
+  /// `spring`: of the slide.
   template <class Contact, class Events>
   void report_slide(const Contact& contact, const double (&spring)[3], Events& events) const {
-    const double length = std::sqrt(dot(spring, spring));
-    if (!(length > 0.0)) return;
     double direction[3];
-    for (int d = 0; d < 3; ++d) direction[d] = -spring[d] / length;
-    report_along(contact, direction, changes_, events);
+    if (slide_direction(spring, direction)) report_along(contact, direction, changes_, events);
   }
 
   /// `contact`: with the constants that are in the history; the normal force may have ended before.

@@ -313,11 +313,9 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history, co
   const double since = std::min(dt, -contact.deltan / contact.vn);
   if (history.sliding) {
     detail::turn_with_contact(contact.en, history.spring);
-    const double length = std::sqrt(dot(history.spring, history.spring));
-    if (!(length > 0.0)) return;
     double direction[3];
-    for (int d = 0; d < 3; ++d) direction[d] = -history.spring[d] / length;
-    cap.report_end(contact, direction, since, dt, events);
+    if (slide_direction(history.spring, direction))
+      cap.report_end(contact, direction, since, dt, events);
     return;
   }
   double now[3], rate[3];
