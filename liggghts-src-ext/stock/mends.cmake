@@ -38,6 +38,17 @@ function(mend_messages folder)
   }" "    if (universe->nworlds == 1) universe->ulogfile = logfile;
   }
   rodpack::keep_log(logfile,arg[0]);")
+  # A setting of a contact model without a value took what lies behind the end of the line for one,
+  # and a wrong value was not told what is right.
+  mend(${folder} settings.h "        consumed = it->second->parseArguments(remaining_args);"
+    "        if(remaining == 1 && it->second->name == remaining_args[0]) {
+          error_message = \"'\" + it->second->name + \"' needs a value\";
+          return false;
+        }
+        consumed = it->second->parseArguments(remaining_args);")
+  mend(${folder} settings.h "<< args[1] << \"'\";" "<< args[1] << \"', expected\";
+      for(typename std::map<std::string, T>::iterator it = options.begin(); it != options.end(); ++it)
+        ss << (it == options.begin() ? \" \" : \" or \") << it->first;")
   # They come with every run of bodies and hide the warnings that mean something. That thermo's own
   # kinetic energy is not that of bodies is said where it is printed.
   mend(${folder} fix_property_atom.cpp

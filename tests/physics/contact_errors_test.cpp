@@ -62,6 +62,19 @@ TEST(ContactErrors, MultistepOrder) {
   EXPECT_EQ(run_liggghts(collision, {{"order", "4"}, {"multistep", "4"}}).exit_code, 0);
 }
 
+TEST(ContactErrors, TotalForceCap) {
+  expect_error(small_deck(ours + " totalForceCap maybe", ""), {},
+               "'totalForceCap' argument: unknown option or wrong keyword order: 'maybe', "
+               "expected off or on");
+  for (const std::string setting : {"totalForceCap", "multistepOrder"}) {
+    const std::string message = "'" + setting + "' needs a value";
+    expect_error(small_deck(ours + " " + setting, ""), {}, message);
+    expect_error(small_deck(ours, "fix w all wall/gran " + ours +
+                                      " primitive type 1 yplane -0.01 " + setting),
+                 {}, message);
+  }
+}
+
 // A stock model lists nothing to the recorder: those who ask for the contacts say so.
 TEST(ContactErrors, ContactsOfOtherModels) {
   const std::string stock = "model hooke/stiffness tangential history";

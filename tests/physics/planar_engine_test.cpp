@@ -223,7 +223,13 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
               HasSubstr("run_style verlet/planar: fix wall/gran (id left) is no plane, expected"));
   EXPECT_THAT(output({}, "xplane 0.0 multistepOrder 4", "xplane 0.0 shear y 1 multistepOrder 4"),
               HasSubstr("fix wall/gran (id left) moves ('shear'), expected a wall at rest"));
+  EXPECT_THAT(
+      output({}, "xplane 0.0 multistepOrder 4", "xplane 0.0 multistepOrder 4 totalForceCap on"),
+      HasSubstr("fix wall/gran (id left) has 'totalForceCap on', expected friction under"));
   const std::string pair = "pair_style gran model spring_dashpot tangential spring_dashpot ";
+  EXPECT_THAT(
+      output({}, pair + "multistepOrder 4", pair + "multistepOrder 4 totalForceCap on"),
+      HasSubstr("run_style verlet/planar: pair_style gran has 'totalForceCap on', expected"));
   EXPECT_THAT(
       output({}, pair + "multistepOrder 4\npair_coeff * *",
              "pair_style hybrid " + pair.substr(11) + "multistepOrder 4\npair_coeff * * gran"),

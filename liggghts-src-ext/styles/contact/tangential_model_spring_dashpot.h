@@ -7,6 +7,7 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 #ifndef TANGENTIAL_MODEL_SPRING_DASHPOT_H_
 #define TANGENTIAL_MODEL_SPRING_DASHPOT_H_
 
+#include <algorithm>
 #include <string>
 #include "contact_events.h"
 #include "contact_models.h"
@@ -27,9 +28,10 @@ namespace ContactModels {
 using rodpack::TangentialHistory;
 
 // Spring and dashpot in the plane of contact, capped at mu times the elastic normal force (Lu et
-// al., Granular Matter 18:34, 2016, section 2; the formula is rodpack::tangential_force). The
-// spring is the integral of the tangential velocity over the life of the contact, by the multistep
-// formula of the integrator that runs.
+// al., Granular Matter 18:34, 2016, section 2; the formula is rodpack::tangential_force) or, with
+// totalForceCap, at mu times the whole one (rodpack/contact/friction_cap.h). The spring is the
+// integral of the tangential velocity over the life of the contact, by the multistep formula of the
+// integrator that runs.
 //
 // The history of a contact is stored as rodpack/contact/contact_history.h has it. Vectors change
 // sign when the partners swap, so their flag is "1".
@@ -42,11 +44,14 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
         slots_setting_(3.0),
         slots_(0),
         offset_(-1),
+        total_cap_(false),
+        cap_offset_(-1),
         order_(0),
         events_(NULL) {}
 
   void registerSettings(Settings& settings) {
     settings.registerDoubleSetting("multistepOrder", slots_setting_, 3.0);
+    settings.registerOnOff("totalForceCap", total_cap_, false);
   }
 
   void postSettings(IContactHistorySetup* hsetup, ContactModelBase*) {
@@ -65,6 +70,12 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     hsetup->add_history_value("spring_dashpot_friction", "0");
     hsetup->add_history_value("spring_dashpot_kt", "0");
     hsetup->add_history_value("spring_dashpot_damping", "0");
+    // They also tell the restart files of the two caps apart.
+    for (int value = 0; total_cap_ && value < rodpack::stored_cap_values; ++value) {
+      const int index =
+          hsetup->add_history_value("spring_dashpot_cap_" + std::to_string(value), "0");
+      if (value == 0) cap_offset_ = index;
+    }
   }
 
   void connectToProperties(PropertyRegistry& registry) {
@@ -91,9 +102,12 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     TangentialHistory history = unpacked(sidata.contact_history);
     const bool renewed =
         sidata.computeflag && (sidata.shearupdate || missed_update_at_setup(history));
-    const rodpack::TangentialForce tangential = rodpack::tangential_contact_force(
-        sidata, history, friction_[sidata.itype][sidata.jtype] * sidata.kn, renewed, this_step(),
-        events_, ContactEvents::armed());
+    const double mu = friction_[sidata.itype][sidata.jtype];
+    const rodpack::TangentialForce tangential =
+        total_cap_ ? under_total_cap(sidata, mu, history, renewed)
+                   : rodpack::tangential_contact_force(
+                         sidata, history, rodpack::ElasticCap{mu * sidata.kn}, renewed, this_step(),
+                         events_, ContactEvents::armed());
     if (sidata.computeflag) rodpack::pack(history, sidata.contact_history + offset_);
     apply(sidata, tangential.force, i_forces, j_forces);
     if (ContactRecorder* recorder = ContactRecorder::armed())
@@ -106,10 +120,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     TangentialHistory history = unpacked(scdata.contact_history);
     if (history.known == 0) return;
     ContactEvents* const events = ContactEvents::armed();
-    if (events && history.step == update->ntimestep - 1)
-      rodpack::end_tangential_force(events->as_if_in_contact(scdata), history, this_step(),
-                                    *events);
+    if (events && history.step == update->ntimestep - 1) report_end(scdata, history, *events);
     rodpack::pack(TangentialHistory(slots_), scdata.contact_history + offset_);
+    if (total_cap_) rodpack::pack(rodpack::CapHistory(), scdata.contact_history + cap_offset_);
   }
   void beginPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
   void endPass(SurfacesIntersectData&, ForceData&, ForceData&) {}
@@ -117,6 +130,39 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
  private:
   TangentialHistory unpacked(const double* contact_history) const {
     return rodpack::unpack_tangential(contact_history + offset_, slots_);
+  }
+
+  rodpack::TangentialForce under_total_cap(const SurfacesIntersectData& sidata, double mu,
+                                           TangentialHistory& history, bool renewed) const {
+    double* const stored = sidata.contact_history + cap_offset_;
+    rodpack::CapHistory memory = rodpack::unpack_cap(stored);
+    // The force that the models along the normal have set, and how far below 0 it would be.
+    const double viscoelastic =
+        sidata.Fn > 0.0
+            ? sidata.Fn
+            : std::min(sidata.Fn, rodpack::viscoelastic_force(sidata.kn, sidata.deltan,
+                                                              sidata.gamman, sidata.vn));
+    const rodpack::TangentialForce result = rodpack::tangential_contact_force(
+        sidata, history, rodpack::TotalCap(mu, viscoelastic, memory), renewed, this_step(), events_,
+        ContactEvents::armed());
+    if (sidata.computeflag) rodpack::pack(memory, stored);
+    return result;
+  }
+
+  /// Reports the end of a contact that has opened within the step.
+  void report_end(const SurfacesCloseData& scdata, TangentialHistory& history,
+                  ContactEvents& events) const {
+    SurfacesIntersectData contact = events.as_if_in_contact(scdata);
+    if (total_cap_) {
+      rodpack::CapHistory cap = rodpack::unpack_cap(scdata.contact_history + cap_offset_);
+      contact.kn = cap.stiffness;
+      contact.gamman = cap.damping;
+      rodpack::end_tangential_force(contact, history, rodpack::TotalCap(history.friction, 0.0, cap),
+                                    this_step(), events);
+    } else {
+      rodpack::end_tangential_force(contact, history, rodpack::ElasticCap{history.friction},
+                                    this_step(), events);
+    }
   }
 
   rodpack::TangentialStep this_step() const {
@@ -174,6 +220,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   double slots_setting_;   // as read; Settings knows only doubles
   int slots_;              // N: velocities held per contact
   int offset_;             // of the spring in a contact's history
+  bool total_cap_;         // whether the cap is that of the whole normal force
+  int cap_offset_;         // of what that cap remembers
   int order_;              // of the integrator that runs, 0: velocity Verlet
   ContactEvents* events_;  // that the integrator follows, or null
 };

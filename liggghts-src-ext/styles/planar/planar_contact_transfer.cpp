@@ -73,6 +73,17 @@ bool has_known_models(Style* style) {
 const char* const needed_models =
     "'model spring_dashpot tangential spring_dashpot' alone, without other models";
 
+/// Whether the models keep the values of totalForceCap, too, of which the engine knows nothing.
+bool has_total_cap(int values) {
+  for (int slots = 1; slots <= rodpack::max_multistep_order; ++slots)
+    if (values == rodpack::stored_history_values(slots) + rodpack::stored_cap_values) return true;
+  return false;
+}
+
+const char* const elastic_cap_alone =
+    "has 'totalForceCap on', expected friction under the cap of the elastic force ('off', or "
+    "nothing)";
+
 /// Finds the plane x = c or y = c that a wall is; false for any other primitive.
 bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   if (const FixWallGranSolid* solid = dynamic_cast<FixWallGranSolid*>(fix)) {
@@ -107,6 +118,7 @@ void PlanarContactTransfer::connect() {
   if (!has_known_models(pair_))
     refuse(lmp, std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();
+  if (has_total_cap(values_)) refuse(lmp, std::string("pair_style gran ") + elastic_cap_alone);
   slots_ = (values_ - rodpack::stored_history_values(0)) / 3;
   if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
       values_ != rodpack::stored_history_values(slots_))
@@ -124,6 +136,7 @@ void PlanarContactTransfer::connect() {
     if (wall->heattransfer_flag() || wall->store_force_contact() ||
         wall->store_force_contact_stress() || wall->store_sum_normal_force())
       refuse(lmp, name + "stores values of contacts or transfers heat, which the engine does not");
+    if (has_total_cap(wall->dnum())) refuse(lmp, name + elastic_cap_alone);
     if (wall->dnum() != values_)
       refuse(lmp,
              name + "has another history than pair_style gran: give both the same multistepOrder");

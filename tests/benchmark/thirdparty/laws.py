@@ -174,6 +174,27 @@ class ObliqueImpact:
         self.velocity, self.spin = v, w
 
 
+def damped_slip(radius, mass, kn, kt, eta, friction, normal_speed, slip, steps=20000):
+    """Slip of the surface after an oblique impact with dashpots (eta along both directions) under the cap mu F_n.
+
+    In the limit of small steps: closed normal motion, and in each of many small steps the friction of spring and
+    dashpot, or the cap, which the spring alone then carries (first order in the step).
+    """
+    normal, damping = Impact(mass, kn, eta, normal_speed), 2 * eta * sqrt(mass * kt)
+    inertia, dt = 0.4 * mass * radius**2, normal.end / steps
+    v, w, spring = slip, 0.0, 0.0
+    for n in range(steps):
+        t = (n + 0.5) * dt
+        arm, cap = radius - 0.5 * normal.overlap(t), friction * mass * max(0.0, normal.force(t))
+        force = -kt * spring - damping * (v + arm * w)
+        if abs(force) > cap:
+            force = cap if force > 0 else -cap
+            spring = -force / kt
+        v, w = v + dt * force / mass, w + dt * force * arm / inertia
+        spring += dt * (v + arm * w)
+    return v + radius * w
+
+
 def stacked(y, v, seconds, masses, radius, stiffness, etas, height, gravity, steps=20000):
     """Two spheres, one on the other, squeezed between walls at 0 and `height`: positions after `seconds`.
 

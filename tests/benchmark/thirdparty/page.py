@@ -54,7 +54,7 @@ What they show:
 - LIGGGHTS's own `tangential history` adds up Δt v_t. Under velocity Verlet v_t is that of the middle of the step, under
   Adams–Bashforth that of its end, which makes the spring one of first order: give `tangential spring_dashpot` to
   Hertz's law too.
-- Friction with a dashpot has a band of angles in which the law itself has no limit of small steps.
+- Friction with a dashpot has a band of angles in which the law itself has no limit of small steps, under either cap.
 - Velocity Verlet holds a small grain between two large ones from a ratio of sizes of about 10 on; ours lets it fall.
 
 Left out: MFiX's DEM06 (a fluid), MercuryDPM's coarse-graining tests (the fields have their own closed forms in

@@ -116,6 +116,21 @@ TEST(Restitution, RefusesNegativeDamping) {
   EXPECT_THROW(restitution_coefficient(std::nan("")), std::invalid_argument);
 }
 
+// Both directions (1 - eta^2 loses three digits at 0.999); the values of the page of the contact
+// models, rounded there to four digits.
+TEST(Restitution, HasAnInverse) {
+  for (double eta : {0.0, 1e-6, 0.05, 0.2, 0.5, 0.9, 0.999, 1.0})
+    EXPECT_NEAR(damping_ratio_for(restitution_coefficient(eta)), eta, 1e-13) << eta;
+  for (double e : {0.14, 0.3, 0.5, 0.9, 0.99})
+    EXPECT_NEAR(restitution_coefficient(damping_ratio_for(e)), e, 1e-15) << e;
+  EXPECT_NEAR(damping_ratio_for(0.95), 0.0165, 5e-5);
+  EXPECT_NEAR(damping_ratio_for(0.5), 0.2553, 5e-5);
+  EXPECT_NEAR(damping_ratio_for(0.2), 0.7312, 5e-5);
+  EXPECT_EQ(damping_ratio_for(1.0), 0.0);
+  for (double e : {1.001, 0.135, 0.0, -0.5, std::nan("")})
+    EXPECT_THROW(damping_ratio_for(e), std::invalid_argument) << e;
+}
+
 // A body that flies against a wall, integrated as in a simulation: Adams-Bashforth of third order
 // with a history that was long free of force when the contact began somewhere within a step.
 double simulated_restitution(double damping_ratio, int steps_per_contact, double begin) {

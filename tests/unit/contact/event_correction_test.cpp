@@ -46,6 +46,38 @@ TEST(EventCorrection, SharesOfBothSidesAddUpToNothing) {
 }
 
 // On a wall there is one side.
+// A force along a tangent that turns at the rate q with the contact, of magnitude D(t) = n + r t up
+// to now, since s: the component along the present tangent, and what the turning puts along the
+// normal, by the integral over t from -s to 0 of D(t) times the turn q t.
+TEST(EventCorrection, AChangeAlongADirectionTurnsWithTheContact) {
+  SampleContact contact;
+  contact.radi = contact.radj = 1e-3;
+  contact.delta[1] = 1.99e-3;
+  contact.v_i[0] = 3;
+  contact.complete();
+  const double q = 3 / 1.99e-3, n = 0.7, r = 4e3, s = 6e-6;
+  const double tangent[3] = {1, 0, 0};
+  const ChangeOf<1> along = linear_change<1>({n}, {r}, s);
+  const ForceChange change = change_along(contact, along, tangent);
+  // the normal turns towards x, the tangent x against it
+  const double turn[3] = {0, -q, 0};
+  for (int d = 0; d < 3; ++d) {
+    EXPECT_NEAR(change.now[d], n * tangent[d], 1e-15);
+    EXPECT_NEAR(change.rate[d], r * tangent[d] + n * turn[d], 1e-9);
+    EXPECT_NEAR(
+        change.impulse[d],
+        (n * s - r * s * s / 2) * tangent[d] - (n * s * s / 2 - r * s * s * s / 3) * turn[d],
+        1e-18);
+    EXPECT_NEAR(change.impulse_integral[d], (n * s * s / 2 - r * s * s * s / 3) * tangent[d],
+                1e-24);
+  }
+  const ChangeOf<1> back = component(change, tangent);
+  EXPECT_EQ(back.now[0], along.now[0]);
+  EXPECT_EQ(back.rate[0], along.rate[0]);
+  EXPECT_EQ(back.impulse[0], along.impulse[0]);
+  EXPECT_EQ(back.impulse_integral[0], along.impulse_integral[0]);
+}
+
 TEST(EventCorrection, AWallGetsNoShare) {
   int sides = 0;
   share_change(on_floor(1e-5, 0, 0), constant_force(1, 0, 0, 1e-6),

@@ -42,7 +42,7 @@ TangentialHistory history_of(double spring, double v1, double v2, double v3) {
 
 TangentialForce evaluate(const SampleContact& contact, TangentialHistory& history,
                          RecordedEvents& told) {
-  return tangential_contact_force(contact, history, friction, true, step,
+  return tangential_contact_force(contact, history, ElasticCap{friction}, true, step,
                                   static_cast<const RecordedEvents*>(&told), &told);
 }
 
@@ -149,7 +149,7 @@ TEST(TangentialHistory, TouchOfTwoSpheresFollowsTheirFlight) {
     TangentialHistory history(slots);
     const TangentialStep long_step = {3, 1000, 1e-4};
     RecordedEvents told;
-    tangential_contact_force(c, history, 1e9, true, long_step,
+    tangential_contact_force(c, history, ElasticCap{1e9}, true, long_step,
                              static_cast<const RecordedEvents*>(&told), &told);
     return std::fabs(c.en[0] * history.spring[1] - c.en[1] * history.spring[0] - exact);
   };
@@ -265,7 +265,7 @@ TEST(TangentialHistory, EndOfAStuckContactLetsGoOfTheSpring) {
   const double v = 1e-3, vn = 0.1, s = 0.35 * dt, s0 = 2e-6;
   TangentialHistory history = history_of(s0, v, v, v);
   RecordedEvents told;
-  end_tangential_force(sheared(-vn * s, v, vn), history, step, told);
+  end_tangential_force(sheared(-vn * s, v, vn), history, ElasticCap{friction}, step, told);
   ASSERT_EQ(told.events.size(), 1u);
   EXPECT_TRUE(told.events[0].jumps);
   const double now = kt * (s0 + v * dt) + gamma_t * v, rate = kt * v;
@@ -280,7 +280,7 @@ TEST(TangentialHistory, EndOfASlideGoesOnAtZero) {
   TangentialHistory history = history_of(1e-9, v, v, v);
   history.sliding = true;
   RecordedEvents told;
-  end_tangential_force(sheared(-vn * s, v, vn), history, step, told);
+  end_tangential_force(sheared(-vn * s, v, vn), history, ElasticCap{friction}, step, told);
   ASSERT_EQ(told.events.size(), 1u);
   EXPECT_FALSE(told.events[0].jumps);
   const double now = -friction * vn * s;
@@ -296,8 +296,9 @@ TEST(TangentialHistory, ASecondEvaluationLeavesNoTrace) {
     const TangentialForce first = evaluate(contact, history, told);
     const std::size_t events = told.events.size();
     const double spring = history.spring[0];
-    const TangentialForce again = tangential_contact_force(
-        contact, history, friction, false, step, static_cast<const RecordedEvents*>(&told), &told);
+    const TangentialForce again =
+        tangential_contact_force(contact, history, ElasticCap{friction}, false, step,
+                                 static_cast<const RecordedEvents*>(&told), &told);
     EXPECT_EQ(again.force[0], first.force[0]);
     EXPECT_EQ(history.spring[0], spring);
     EXPECT_EQ(told.events.size(), events);

@@ -25,4 +25,19 @@ double restitution_coefficient(double damping_ratio) {
   return std::exp(-2.0 * eta * ratio);
 }
 
+double damping_ratio_for(double restitution) {
+  if (!(restitution >= std::exp(-2.0) && restitution <= 1.0)) {
+    std::ostringstream message;
+    message << "restitution = " << restitution << ": expected exp(-2) = 0.1353 to 1";
+    throw std::invalid_argument(message.str());
+  }
+  // It falls with the damping ratio; halving finds the root to the last bit of 1.
+  double low = 0.0, high = 1.0;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (restitution_coefficient(middle) > restitution ? low : high) = middle;
+  }
+  return restitution == 1.0 ? 0.0 : high;
+}
+
 }  // namespace rodpack

@@ -134,7 +134,7 @@ void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
 
 void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
   const bool alive = (pool.head(place).alive & 1 << lane) != 0;
-  const double friction = laws_[pool.law(place)].friction;
+  const ElasticCap cap = {laws_[pool.law(place)].friction};
   PlanarContact contact;
   const bool touches = place_lane(pool, place, lane, contact);
   if (!touches && !alive) return;
@@ -148,7 +148,7 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   to_space(lane_state.history, contact.normal(), normal_history, history);
   if (!alive) history.known = 0;
   history.step = step_ - 1;
-  history.friction = friction;
+  history.friction = cap.friction;
   history.stiffness = contact.kt;
   history.damping = contact.gammat;
   PlanarEvents* const followed = follows_ ? &events_ : nullptr;
@@ -156,7 +156,7 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   if (!touches) {
     if (followed) {
       end_normal_force(contact, normal_history, settings_.dt, *followed);
-      end_tangential_force(contact, history, tangential_step(), *followed);
+      end_tangential_force(contact, history, cap, tangential_step(), *followed);
     }
     pool.clear(place, lane);
     return;
@@ -166,7 +166,7 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
   follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings_.dt, followed);
   const TangentialForce tangential =
-      tangential_contact_force(contact, history, friction, true, tangential_step(),
+      tangential_contact_force(contact, history, cap, true, tangential_step(),
                                static_cast<const PlanarEvents*>(followed), followed);
   apply(contact, normal.total, tangential.force);
 

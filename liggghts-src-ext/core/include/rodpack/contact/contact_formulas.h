@@ -91,11 +91,11 @@ inline Real spring_force(Real stiffness, Real spring) {
   return -stiffness * spring;
 }
 
-/// Coulomb's cap of the tangential force. `friction`: mu times the normal stiffness. Given the rate
-/// of the overlap, its rate.
+/// Coulomb's cap of the tangential force: of mu times the normal stiffness and the overlap, or of
+/// mu and the normal force. Given a rate in place of the latter, its rate.
 template <class Real>
-inline Real coulomb_cap(Real friction, Real overlap) {
-  return friction * overlap;
+inline Real coulomb_cap(Real friction, Real load) {
+  return friction * load;
 }
 
 /// A divisor of which the inverse is known.

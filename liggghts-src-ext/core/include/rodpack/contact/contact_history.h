@@ -41,17 +41,27 @@ struct TangentialHistory {
   std::int64_t step = 0;
   /// Time from touch to the end of the step of touch, s.
   double since = 0.0;
-  /// Constants of the contact, for its end: mu k_n (N/m), k_t (N/m), tangential dashpot (kg/s).
+  /// Constants of the contact, for its end: `friction` of its cap (friction_cap.h), k_t (N/m),
+  /// tangential dashpot (kg/s).
   double friction = 0.0, stiffness = 0.0, damping = 0.0;
 
   TangentialHistory() = default;
   explicit TangentialHistory(int velocities) : slots(velocities) {}
 };
 
+/// What a contact remembers for a cap of friction that has the dashpot of the normal force in it.
+struct CapHistory {
+  NormalHistory normal;
+  /// Constants of the normal force, for the contact's end: k_n (N/m), dashpot (kg/s).
+  double stiffness = 0.0, damping = 0.0;
+};
+
 /// How many doubles each of the histories takes.
 constexpr int stored_normal_values = 4;
 constexpr int stored_tangential_values(int slots) { return 3 * (slots + 1) + 6; }
-/// How many doubles both take, the normal one first.
+/// The step in it is not stored, which the tangential history knows.
+constexpr int stored_cap_values = 5;
+/// How many doubles the first two take, the normal one first.
 constexpr int stored_history_values(int slots) {
   return stored_normal_values + stored_tangential_values(slots);
 }
@@ -98,6 +108,24 @@ inline void pack(const TangentialHistory& history, double* stored) {
   rest[3] = history.friction;
   rest[4] = history.stiffness;
   rest[5] = history.damping;
+}
+
+inline CapHistory unpack_cap(const double* stored) {
+  CapHistory history;
+  history.normal.viscoelastic = stored[0];
+  history.normal.touch_rate = stored[1];
+  history.normal.just_touched = stored[2] != 0.0;
+  history.stiffness = stored[3];
+  history.damping = stored[4];
+  return history;
+}
+
+inline void pack(const CapHistory& history, double* stored) {
+  stored[0] = history.normal.viscoelastic;
+  stored[1] = history.normal.touch_rate;
+  stored[2] = history.normal.just_touched ? 1.0 : 0.0;
+  stored[3] = history.stiffness;
+  stored[4] = history.damping;
 }
 
 }  // namespace rodpack

@@ -49,8 +49,8 @@ inline NormalForce normal_force(double stiffness, double damping, double overlap
   return {whole > 0.0 ? whole : 0.0, stiffness * overlap, whole};
 }
 
-/// Tangential force -(k s + c v) on particle i, N, limited to the magnitude `cap` = mu * elastic
-/// normal force. `velocity` v is that of i's surface relative to j's in the plane of contact (m/s)
+/// Tangential force -(k s + c v) on particle i, N, limited to the magnitude `cap` (friction_cap.h).
+/// `velocity` v is that of i's surface relative to j's in the plane of contact (m/s)
 /// and `spring` s its integral over the life of the contact (m). Where the cap acts, the spring is
 /// shortened so that it alone carries the cap (s = -force/k). Returns true when capped.
 template <int D>
@@ -77,6 +77,10 @@ inline bool tangential_force(double stiffness, double damping, double cap, doubl
 /// eta^2)), the value of a contact that may pull. @throws std::invalid_argument for a negative
 /// damping ratio.
 double restitution_coefficient(double damping_ratio);
+
+/// The damping ratio at which restitution_coefficient() is `restitution`. @throws
+/// std::invalid_argument unless exp(-2) <= restitution <= 1: damping ratios from 1 (critical) to 0.
+double damping_ratio_for(double restitution);
 
 }  // namespace rodpack
 

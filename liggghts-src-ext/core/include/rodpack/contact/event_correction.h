@@ -26,6 +26,33 @@ inline ForceChange change_in_space(const Contact& contact, const double (&now)[3
   return linear_change(now, turning, since);
 }
 
+/// The component of a change along a unit vector.
+inline ChangeOf<1> component(const ForceChange& change, const double (&axis)[3]) {
+  return {{dot(change.now, axis)},
+          {dot(change.rate, axis)},
+          {dot(change.impulse, axis)},
+          {dot(change.impulse_integral, axis)}};
+}
+
+/// The change in space of a force on i whose component along `direction`, a unit vector that turns
+/// with the contact, changes so.
+template <class Contact>
+inline ForceChange change_along(const Contact& contact, const ChangeOf<1>& change,
+                                const double (&direction)[3]) {
+  const double fixed[3] = {0.0, 0.0, 0.0};
+  double turning[3];
+  rate_in_space(contact, direction, fixed, turning);
+  ForceChange result;
+  for (int d = 0; d < 3; ++d) {
+    // int (e - (t_now - t) e') D dt, and the integral of the impulse is int (t_now - t) D dt
+    result.now[d] = change.now[0] * direction[d];
+    result.rate[d] = change.rate[0] * direction[d] + change.now[0] * turning[d];
+    result.impulse[d] = change.impulse[0] * direction[d] - change.impulse_integral[0] * turning[d];
+    result.impulse_integral[d] = change.impulse_integral[0] * direction[d];
+  }
+  return result;
+}
+
 /// Gives both sides of a contact their part of the change of the force on i: calls add(side, force,
 /// lever, lever_rate) with side 1 for i and -1 for j, the change of the force on that side, and the
 /// lever from the centre of its sphere; all with as many components as `on_i`. A wall gets none.

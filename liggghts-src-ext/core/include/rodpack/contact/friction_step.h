@@ -21,7 +21,7 @@ namespace rodpack {
 /// A contact at the end of a step; vectors lie in its present plane. SI units.
 struct FrictionStep {
   double stiffness, damping;  // N/m, kg/s; damping > 0
-  double cap, cap_rate;       // mu times the elastic normal force, N, and its rate, N/s
+  double cap, cap_rate;       // of friction_cap.h, N, and its rate, N/s
   double dt;
   double velocity[3][3];    // now, one and two steps ago, m/s
   int known;                // how many of these, 2 or 3

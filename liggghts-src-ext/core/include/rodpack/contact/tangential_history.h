@@ -11,6 +11,7 @@
 #include "contact_motion.h"
 #include "event_correction.h"
 #include "force_change.h"
+#include "friction_cap.h"
 #include "friction_step.h"
 #include "../motion/multistep.h"
 
@@ -18,7 +19,7 @@ namespace rodpack {
 
 // The tangential spring and dashpot of a contact (contact_law.h) over its life: the spring is the
 // integral of the tangential velocity, by the multistep formula of the integrator that runs.
-// `Contact`: see contact_motion.h; `Events`: see normal_history.h.
+// `Contact`: see contact_motion.h; `Events`: see normal_history.h; `Cap`: see friction_cap.h.
 
 /// What a contact was at the last evaluation, turned into the present plane of contact.
 struct TangentialPast {
@@ -122,7 +123,7 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
     if (!touched_in_step(contact, dt)) past.since = history.since = 0.0;
     for (int k = 1; k < history.slots; ++k) std::fill_n(history.velocity[k], 3, 0.0);
     std::copy(velocity, velocity + 3, history.velocity[0]);
-    history.known = 1;
+    history.known = past.known = 1;
     history.sliding = false;
     return past;
   }
@@ -159,6 +160,16 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
   return past;
 }
 
+/// The friction of a contact whose normal force has been 0 begins anew, `since` seconds ago.
+template <class Contact>
+void begin_anew(const Contact& contact, double since, TangentialPast& past,
+                TangentialHistory& history) {
+  const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+  for (int d = 0; d < 3; ++d) history.spring[d] = since * velocity[d];
+  past.alive = past.sliding = false;
+  past.since = since;
+}
+
 /// Whether a contact that lives on is not simply stuck, before and now.
 template <class Contact>
 bool may_change_branch(const Contact& contact, const TangentialPast& past,
@@ -172,16 +183,16 @@ bool may_change_branch(const Contact& contact, const TangentialPast& past,
   return squared > cap * cap;
 }
 
-/// Friction of a contact whose branch may change in this step. `friction`: mu k_n. Sets the spring.
-template <class Contact>
+/// Friction of a contact whose branch may change in this step. Sets the spring.
+template <class Contact, class Cap>
 FrictionForce follow_through_step(const Contact& contact, const TangentialPast& past,
-                                  const TangentialHistory& history, double friction, double dt,
+                                  const TangentialHistory& history, const Cap& cap, double dt,
                                   double (&spring)[3]) {
   FrictionStep step;
   step.stiffness = contact.kt;
   step.damping = contact.gammat;
-  step.cap = coulomb_cap(friction, contact.deltan);
-  step.cap_rate = coulomb_cap(friction, -contact.vn);
+  step.cap = cap.now(contact);
+  step.cap_rate = cap.rate(contact, dt);
   step.dt = dt;
   step.known = past.known;
   step.slid = past.sliding;
@@ -191,7 +202,8 @@ FrictionForce follow_through_step(const Contact& contact, const TangentialPast& 
   return friction_force(step, spring);
 }
 
-/// Reports the events of a contact under the tangential force `force` (N).
+/// Reports the events of a contact under the tangential force `force` (N), but for what the normal
+/// force does to a slide.
 template <class Contact, class Events>
 void report_friction(const Contact& contact, const TangentialPast& past, const FrictionForce& law,
                      const double (&force)[3], bool sliding, double dt, Events& events) {
@@ -234,36 +246,41 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
 }
 
 /// The tangential force on i (N, result.force), with its history brought to this step where
-/// `renewed`; else it is evaluated once more at the same time, without a trace. `friction`: mu k_n.
-/// `followed`: events of the integrator, null if it follows none; `reports`: where events go, null
-/// if nowhere.
+/// `renewed`; else it is evaluated once more at the same time, without a trace. `followed`: events
+/// of the integrator, null if it follows none; `reports`: where events go, null if nowhere.
 struct TangentialForce {
   double force[3], spring[3];
   bool sliding;
 };
-template <class Contact, class Events>
+template <class Contact, class Cap, class Events>
 TangentialForce tangential_contact_force(const Contact& contact, TangentialHistory& history,
-                                         double friction, bool renewed, const TangentialStep& step,
+                                         Cap cap, bool renewed, const TangentialStep& step,
                                          const Events* followed, Events* reports) {
   TangentialPast past;
   bool sliding = history.sliding && contact.kt > 0.0;
-  if (renewed) past = advance_spring(contact, history, step, followed);
+  if (renewed) {
+    past = advance_spring(contact, history, step, followed);
+    cap.renew(contact, past.alive, step.dt, followed);
+    if (followed && past.alive && !cap.acted_before())
+      begin_anew(contact, cap.since_return(step.dt), past, history);
+    if (followed && !past.alive) past.sliding = cap.slides_from_touch(contact);
+  }
 
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
   TangentialForce result;
   double(&force)[3] = result.force, (&spring)[3] = result.spring;
   std::copy(history.spring, history.spring + 3, spring);
-  const double cap = coulomb_cap(friction, contact.deltan);
+  const double limit = cap.now(contact);
   FrictionForce law;
   law.changed = false;
-  if (renewed && followed && past.alive && contact.gammat > 0.0 &&
-      may_change_branch(contact, past, spring, velocity, cap)) {
-    law = follow_through_step(contact, past, history, friction, step.dt, spring);
+  if (renewed && followed && (past.alive || past.sliding) && contact.gammat > 0.0 &&
+      may_change_branch(contact, past, spring, velocity, limit)) {
+    law = follow_through_step(contact, past, history, cap, step.dt, spring);
     std::copy(law.force, law.force + 3, force);
     sliding = law.slides;
   } else if (renewed || !sliding) {
     sliding =
-        tangential_force(contact.kt, contact.gammat, std::max(cap, 0.0), spring, velocity, force);
+        tangential_force(contact.kt, contact.gammat, std::max(limit, 0.0), spring, velocity, force);
   }
   // A sliding contact's spring alone carries the force: taken from it, the force is the same when
   // it is evaluated again in the same step.
@@ -272,10 +289,15 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
   if (renewed) {
     std::copy(spring, spring + 3, history.spring);
     history.sliding = sliding;
-    history.friction = friction;
+    history.friction = cap.friction;
     history.stiffness = contact.kt;
     history.damping = contact.gammat;
-    if (reports) report_friction(contact, past, law, force, sliding, step.dt, *reports);
+    if (reports) {
+      if (past.alive ? past.sliding : sliding)
+        cap.report_slide(contact, past.alive ? past.spring : spring, *reports);
+      if (!Cap::damped || past.alive || !sliding)
+        report_friction(contact, past, law, force, sliding, step.dt, *reports);
+    }
   }
   result.sliding = sliding;
   return result;
@@ -283,26 +305,20 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
 
 /// Reports that a contact that was evaluated one step ago has opened within the step: `contact`
 /// goes on with negative overlap. The history is used up.
-template <class Contact, class Events>
-void end_tangential_force(const Contact& contact, TangentialHistory& history,
+template <class Contact, class Cap, class Events>
+void end_tangential_force(const Contact& contact, TangentialHistory& history, const Cap& cap,
                           const TangentialStep& step, Events& events) {
   const double dt = step.dt, kt = history.stiffness, gamma = history.damping;
   if (!(contact.vn > 0.0)) return;
   const double since = std::min(dt, -contact.deltan / contact.vn);
-  double now[3], rate[3];
   if (history.sliding) {
-    // A sliding contact's force has fallen to zero with the cap, which would go on below it.
     detail::turn_with_contact(contact.en, history.spring);
-    const double length = std::sqrt(dot(history.spring, history.spring));
-    if (!(length > 0.0)) return;
-    for (int d = 0; d < 3; ++d) {
-      const double direction = -history.spring[d] / length;
-      now[d] = -coulomb_cap(history.friction, contact.deltan) * direction;
-      rate[d] = -coulomb_cap(history.friction, -contact.vn) * direction;
-    }
-    events.add(contact, change_in_space(contact, now, rate, since), false);
+    double direction[3];
+    if (slide_direction(history.spring, direction))
+      cap.report_end(contact, direction, since, dt, events);
     return;
   }
+  double now[3], rate[3];
   const TangentialPast past = advance_spring(contact, history, step, &events);
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
   for (int d = 0; d < 3; ++d) {
