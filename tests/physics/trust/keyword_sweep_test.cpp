@@ -34,6 +34,8 @@ struct Scene {
   std::string page, before, command, after;
 };
 
+void PrintTo(const Scene& scene, std::ostream* out) { *out << scene.page; }
+
 std::string sphere() {
   return Deck().with(
       "create_atoms 1 single 0.05 0.05 0 units box\nset group all diameter 0.003 density 2500\n");
@@ -340,7 +342,8 @@ void judge(const Answer& answer, const Words& says, const std::string& what, Cou
   bool clear = errors.size() == 1;
   for (const auto& each : says) clear = clear && errors[0].find(each) != std::string::npos;
   ++(clear ? count.clear : count.unclear);
-  EXPECT_TRUE(clear) << "unclear: " << what << ": " << joined(errors)
+  EXPECT_TRUE(clear) << "unclear: " << what << ": "
+                     << (errors.empty() ? answer.text : joined(errors))
                      << "\nexpected one line with: " << joined(says);
 }
 
