@@ -155,6 +155,7 @@ void Parameter::declare_number(Declaration& it, StyleArguments& arguments) {
   if (!(integer ? read_integer(it.value, whole) : read_number(it.value, number)))
     arguments.fail("expected " + expected + ", got '" + it.value + "'");
   if (integer) number = static_cast<double>(whole);
+  std::string broken;  // the first bound that the value does not keep
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword(), text = arguments.peek();
     if (keyword == "unit") {
@@ -168,8 +169,9 @@ void Parameter::declare_number(Declaration& it, StyleArguments& arguments) {
                       : keyword == "above"   ? number > bound
                       : keyword == "maximum" ? number <= bound
                                              : number < bound;
-    if (!kept) arguments.fail("expected " + keyword + " " + text + ", got " + it.value);
+    if (!kept && broken.empty()) broken = keyword + " " + text;
   }
+  if (!broken.empty()) arguments.fail("expected " + broken + ", got " + it.value);
 }
 
 void Parameter::check_command_line() const {
