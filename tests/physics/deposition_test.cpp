@@ -50,11 +50,6 @@ fs::path last_dump(const fs::path& run, const std::string& kind) {
   return last;
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 nlohmann::json json_of(const fs::path& file) { return nlohmann::json::parse(text_of(file)); }
 
 /// A settled bed: all particles inside the container, planar, and carried by floor and walls.

@@ -97,15 +97,3 @@ TEST(NveSphereAb, PlanarSceneStaysInItsPlane) {
       EXPECT_EQ(of(state, name, id), 0) << name << " " << id;
   EXPECT_EQ(of(state, "omegaz", 2), 5);
 }
-
-TEST(NveSphereAb, WrongInputIsOneLineThatNamesIt) {
-  const Vars cases = {{"order 5", "order must be an integer from 1 to 4, got '5'"},
-                      {"order", "value of order is missing"},
-                      {"planar 2", "planar must be auto, yes or no, got '2'"},
-                      {"update dipole", "unknown keyword 'update', expected order or planar"}};
-  for (const auto& [words, message] : cases) {
-    const auto run = run_liggghts(deck, {{"integrator", "nve/sphere/ab " + words}});
-    EXPECT_NE(run.exit_code, 0) << words;
-    EXPECT_THAT(run.output, testing::HasSubstr(message)) << words;
-  }
-}

@@ -24,11 +24,6 @@ parameter write parameters.json
 print "particles=${particles} paper=${preset_is_paper} resume=${resume_given}"
 )";
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 void expect_error(const std::map<std::string, std::string>& vars, const std::string& message) {
   const auto run = run_liggghts(deck, vars);
   EXPECT_NE(run.exit_code, 0);

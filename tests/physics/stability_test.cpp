@@ -213,20 +213,6 @@ TEST(CheckTimestepMultisphere, IsTheSameOnAnyRanks) {
   EXPECT_GT(contacts[0], 2);
 }
 
-TEST(CheckTimestepMultisphere, WrongInputsAreNamed) {
-  const auto expect_error = [](const std::string& words, const std::string& message) {
-    const auto run = run_at(3, 0.2, 1e-5, {{"check", words}, {"steps", "10"}});
-    EXPECT_NE(run.exit_code, 0) << words;
-    EXPECT_THAT(run.output, HasSubstr("Fix check/timestep/multisphere (id check): " + message));
-  };
-  expect_error("0", "N must be a number of steps > 0, got '0'");
-  expect_error("ten", "N must be a number of steps > 0, got 'ten'");
-  expect_error("10 warn 0", "warn must be a fraction of the limit > 0, got '0'");
-  expect_error("10 error maybe", "error must be yes or no, got 'maybe'");
-  expect_error("10 planar perhaps", "planar must be auto, yes or no, got 'perhaps'");
-  expect_error("10 order 3", "unknown keyword 'order', expected warn, error or planar");
-}
-
 // The measurement of the accuracy report, for four of its points: theory within 1 %, as it says.
 TEST(Stability, MeasuredLimitsAreThoseOfTheory) {
   rodpack::StabilityOptions options;

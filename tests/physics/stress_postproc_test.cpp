@@ -14,7 +14,7 @@ using namespace rodpack::test;
 namespace {
 
 auto postprocess(const std::string& arguments, const std::filesystem::path& folder) {
-  return run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
+  return run_rodpack(arguments, folder);
 }
 
 std::string last_bodies(const std::filesystem::path& dumps) {

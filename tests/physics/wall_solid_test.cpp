@@ -114,19 +114,10 @@ TEST(SolidWall, TheStockIntegratorAndTwoRanksGiveTheSame) {
   EXPECT_NEAR(stock.highest_after, start, 1e-3 * start);
 }
 
-TEST(SolidWall, WrongInputIsNamed) {
-  const auto output_of = [](const std::string& from, const std::string& to) {
-    std::string text = deck;
-    text.replace(text.find(from), from.size(), to);
-    const auto run = run_liggghts(text);
-    EXPECT_NE(run.exit_code, 0) << to;
-    return run.output;
-  };
-  EXPECT_THAT(output_of("bound ${bound}", ""), HasSubstr("bound must be lo"));
-  EXPECT_THAT(output_of("bound ${bound}", "bound up"), HasSubstr("got 'up'"));
-  EXPECT_THAT(output_of("bound ${bound}", "bound"), HasSubstr("got 'nothing'"));
-  EXPECT_THAT(output_of("yplane ${plane}", "zcylinder 0.05 0 0"), HasSubstr("got 'zcylinder'"));
-  EXPECT_THAT(output_of("bound ${bound}", "bound lo shear x 1"), HasSubstr("'shear'"));
-  EXPECT_THAT(output_of("yplane ${plane}", "yplane low"),
-              HasSubstr("position of the plane must be a number in m, got 'low'"));
+TEST(SolidWall, DoesNotMove) {
+  std::string text = deck;
+  const std::string bound = "bound ${bound}";
+  const auto run = run_liggghts(text.replace(text.find(bound), bound.size(), "bound lo shear x 1"));
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_THAT(run.output, HasSubstr("'shear'"));
 }

@@ -58,12 +58,6 @@ std::vector<AccuracyRow> rows(const std::vector<double>& steps, const std::vecto
   return result;
 }
 
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 // Schwager and Poeschel's closed form, which knows nothing of an integration
@@ -305,18 +299,18 @@ TEST_F(AccuracyRun, RowsHoldErrorAndCost) {
 TEST_F(AccuracyRun, OnlyWhatIsMissingIsRun) {
   ASSERT_EQ(accuracy().exit_code, 0);
   const auto file = folder_ / "out/accuracy.csv";
-  const auto whole = text_of(file);
+  const auto whole = rodpack::test::text_of(file);
   ASSERT_EQ(accuracy().exit_code, 0);
   EXPECT_EQ(runs(), 5);
   std::ofstream(file) << whole.substr(0, whole.size() - 9);  // interrupted within the last row
   ASSERT_EQ(accuracy().exit_code, 0);
   EXPECT_EQ(runs(), 6);
-  EXPECT_EQ(text_of(file), whole);
+  EXPECT_EQ(rodpack::test::text_of(file), whole);
 }
 
 TEST_F(AccuracyRun, GoesOnInAFolderOfAnOlderRodpack) {
   ASSERT_EQ(accuracy().exit_code, 0);
-  auto settings = nlohmann::json::parse(text_of(folder_ / "out/settings.json"));
+  auto settings = nlohmann::json::parse(rodpack::test::text_of(folder_ / "out/settings.json"));
   EXPECT_EQ(settings["rodpack"]["version"], version());
   EXPECT_EQ(settings["rodpack"]["commit"], commit());
   settings["rodpack"]["version"] = "0.0";
@@ -349,8 +343,7 @@ TEST_F(AccuracyRun, WrongCommandLinesNameTheValue) {
        {std::pair("--methods ab5", "--methods: expected one of"),
         {"--scenes up", "--scenes: expected one of"},
         {"--steps 1", "--steps: expected a number of 3 to 100000, found"}}) {
-    const auto run =
-        rodpack::test::run_command(std::string("'" RODPACK_BIN "/rodpack' accuracy o ") + more);
+    const auto run = rodpack::test::run_rodpack(std::string("accuracy o ") + more);
     EXPECT_EQ(run.exit_code, 2) << more;
     EXPECT_THAT(run.output, HasSubstr(expected));
   }

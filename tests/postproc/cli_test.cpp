@@ -12,12 +12,13 @@ namespace {
 using rodpack::test::fresh_folder;
 using rodpack::test::put;
 using rodpack::test::SyntheticPacking;
+using rodpack::test::text_of;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
 auto rodpack_command(const std::string& arguments, const fs::path& folder = fresh_folder()) {
-  return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
+  return rodpack::test::run_rodpack(arguments, folder);
 }
 
 struct Size {
@@ -36,11 +37,6 @@ Size png_size(const fs::path& file) {
            (unsigned{head[at + 2]} << 8U) + head[at + 3];
   };
   return {number(16), number(20)};
-}
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 SyntheticPacking small_packing(double curvature = 0) {
@@ -115,7 +111,7 @@ TEST(Orientation, WritesTableAndFigures) {
   const auto run = rodpack_command("orientation b.dump --bins 18 -o gamma", folder);
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto table = rodpack::test::read_table(folder / "gamma.csv");
-  EXPECT_THAT(content(folder / "gamma.csv"),
+  EXPECT_THAT(text_of(folder / "gamma.csv"),
               HasSubstr("gamma_deg,count,probability_density_per_deg,standard_error_per_deg\n0,"));
   EXPECT_EQ(table.rows(), 18U);
   double integral = 0;
@@ -125,9 +121,9 @@ TEST(Orientation, WritesTableAndFigures) {
   EXPECT_EQ(png_size(folder / "gamma.png").width, 1600U);
   EXPECT_EQ(png_size(folder / "gamma_polar.png").width, 1600U);
   for (const std::string name : {"gamma.svg", "gamma_polar.svg"}) {
-    EXPECT_THAT(content(folder / name), HasSubstr("<svg"));
-    EXPECT_THAT(content(folder / name), HasSubstr("</svg>"));
-    EXPECT_THAT(content(folder / name), HasSubstr("probability density (1/°)"));
+    EXPECT_THAT(text_of(folder / name), HasSubstr("<svg"));
+    EXPECT_THAT(text_of(folder / name), HasSubstr("</svg>"));
+    EXPECT_THAT(text_of(folder / name), HasSubstr("probability density (1/°)"));
   }
 }
 
@@ -138,7 +134,7 @@ TEST(RdfCommand, WritesTableAndFigure) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(rodpack::test::read_table(folder / "rdf.csv").column("r_over_dp").size(), 50U);
   EXPECT_EQ(png_size(folder / "rdf.png").width, 1600U);
-  EXPECT_THAT(content(folder / "rdf.svg"), HasSubstr("</svg>"));
+  EXPECT_THAT(text_of(folder / "rdf.svg"), HasSubstr("</svg>"));
 }
 
 TEST(Render, KeepsTheAspectRatioOfTheWindow) {
@@ -154,10 +150,10 @@ TEST(Render, KeepsTheAspectRatioOfTheWindow) {
       rodpack_command("render s.dump --colour none --window 0 0.1 0 0.05 --pixels 500 -o b", folder)
           .exit_code,
       0);
-  const auto text = content(folder / "b.svg");
+  const auto text = text_of(folder / "b.svg");
   const auto clip = text.substr(text.find("<clipPath"));
   EXPECT_THAT(clip.substr(0, 200), HasSubstr("width=\"500\" height=\"250\""));
-  EXPECT_THAT(content(folder / "a.svg"), HasSubstr("width=\"500\" height=\"500\""));
+  EXPECT_THAT(text_of(folder / "a.svg"), HasSubstr("width=\"500\" height=\"500\""));
   const auto size = png_size(folder / "a.png");
   EXPECT_GT(size.width, 500U);
   EXPECT_LT(size.width, 560U);
@@ -168,7 +164,7 @@ TEST(Render, WindowInDiametersIsTheSameAsInMetres) {
   put(folder / "s.dump", small_packing().spheres_frame(1));
   ASSERT_EQ(rodpack_command("render s.dump --window 0.03 0.09 0 0.06 -o a", folder).exit_code, 0);
   ASSERT_EQ(rodpack_command("render s.dump --window 10 30 0 20 --in-dp -o b", folder).exit_code, 0);
-  EXPECT_EQ(content(folder / "a.svg"), content(folder / "b.svg"));
+  EXPECT_EQ(text_of(folder / "a.svg"), text_of(folder / "b.svg"));
 }
 
 TEST(Render, EveryColourHasItsBarWithUnit) {
@@ -180,7 +176,7 @@ TEST(Render, EveryColourHasItsBarWithUnit) {
         {"orientation", "direction of the long axis (°)"}}) {
     const auto run = rodpack_command("render s.dump --pixels 400 --colour " + colour, folder);
     ASSERT_EQ(run.exit_code, 0) << run.output;
-    EXPECT_THAT(content(folder / "packing.svg"), HasSubstr(label));
+    EXPECT_THAT(text_of(folder / "packing.svg"), HasSubstr(label));
     EXPECT_GT(png_size(folder / "packing.png").width, 400U);
   }
   const auto empty = rodpack_command("render s.dump --window 5 6 5 6", folder);
@@ -205,9 +201,9 @@ TEST(Forces, WritesTablesAndFigures) {
             (std::vector<double>{0, 0.4 * 2 * packing.body_count, 0.6 * 2 * packing.body_count}));
   for (const std::string stem : {"f", "f_friction", "f_coordination", "f_chains"}) {
     EXPECT_GT(png_size(folder / (stem + ".png")).width, 1000U) << stem;
-    EXPECT_THAT(content(folder / (stem + ".svg")), HasSubstr("</svg>")) << stem;
+    EXPECT_THAT(text_of(folder / (stem + ".svg")), HasSubstr("</svg>")) << stem;
   }
-  EXPECT_THAT(content(folder / "f_chains.svg"), HasSubstr("force between particles (µN)"));
+  EXPECT_THAT(text_of(folder / "f_chains.svg"), HasSubstr("force between particles (µN)"));
 }
 
 TEST(Forces, WhatIsNotKnownIsLeftOutAndTheReportSaysSo) {
@@ -242,7 +238,7 @@ TEST(Forces, APeriodicPackingHasNoSideWalls) {
   const auto lines = [&](const std::string& flags) {
     put(folder / "c.dump", rodpack::test::frame_head(1, 1, 1, 1, columns, flags) + row);
     EXPECT_EQ(rodpack_command("forces c.dump", folder).exit_code, 0);
-    const auto text = content(folder / "forces_chains.svg");
+    const auto text = text_of(folder / "forces_chains.svg");
     int count = 0;
     for (auto at = text.find("\"round\""); at != std::string::npos;
          at = text.find("\"round\"", at + 1))
@@ -287,9 +283,9 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
          {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
           "forces", "forces_friction", "forces_coordination", "forces_chains"}) {
       EXPECT_GT(png_size(out / (stem + ".png")).width, 1000U) << stem;
-      EXPECT_THAT(content(out / (stem + ".svg")), HasSubstr("</svg>")) << stem;
+      EXPECT_THAT(text_of(out / (stem + ".svg")), HasSubstr("</svg>")) << stem;
     }
-    const auto summary = nlohmann::json::parse(content(out / "summary.json"));
+    const auto summary = nlohmann::json::parse(text_of(out / "summary.json"));
     EXPECT_EQ(summary["timestep"], 2000);
     EXPECT_NEAR(summary["time_s"].get<double>(), 0.022, 1e-12);
     EXPECT_EQ(summary["particles"], packing.body_count);
@@ -315,9 +311,9 @@ TEST(Analyse, WholeRunGivesEveryTableFigureAndTheSummary) {
       EXPECT_TRUE(fs::exists(out / "vtk" / (kind + ".2000.vtp")));
       EXPECT_FALSE(fs::exists(out / "vtk" / (kind + ".1000.vtp")));
       EXPECT_FALSE(fs::exists(out / "vtk" / "bodies.1.vtp"));
-      EXPECT_THAT(content(out / "vtk" / (kind + ".pvd")), HasSubstr("timestep=\"0.022\""));
+      EXPECT_THAT(text_of(out / "vtk" / (kind + ".pvd")), HasSubstr("timestep=\"0.022\""));
     }
-    EXPECT_EQ(content(foreign), "mine");
+    EXPECT_EQ(text_of(foreign), "mine");
   }
 }
 
@@ -344,7 +340,7 @@ TEST(Analyse, RowsThatAResumedRunComputedAgainReplaceTheEarlierOnes) {
       "1,4,1,4,1\n2,9,9,9,9\n3,9,9,9,9\n2,3,1,2,1\n");
   ASSERT_EQ(rodpack_command("analyse '" + run_folder.string() + "'").exit_code, 0);
   const auto out = run_folder / "analysis";
-  const auto summary = nlohmann::json::parse(content(out / "summary.json"));
+  const auto summary = nlohmann::json::parse(text_of(out / "summary.json"));
   EXPECT_EQ(summary["kinetic_energy_J"], 4.0);
   EXPECT_EQ(summary["elastic_energy_J"], 3.0);
 
@@ -352,7 +348,7 @@ TEST(Analyse, RowsThatAResumedRunComputedAgainReplaceTheEarlierOnes) {
   const auto bad = rodpack_command("analyse '" + run_folder.string() + "'");
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_THAT(bad.output, HasSubstr("energies.csv:2: expected a number, found 'two'"));
-  EXPECT_EQ(nlohmann::json::parse(content(out / "summary.json")), summary) << "was overwritten";
+  EXPECT_EQ(nlohmann::json::parse(text_of(out / "summary.json")), summary) << "was overwritten";
 }
 
 // A run resumed from step 1000 that came to rest at step 1500 leaves the dumps of step 2000, which
@@ -369,12 +365,12 @@ TEST(Analyse, DumpsAfterTheEndOfTheRunDoNotCount) {
 
   put(run_folder / "result.json", "{\"step\": 1500}");
   for (const std::string kind : {"bodies", "spheres", "contacts"}) {
-    auto text = content(dumps / (kind + ".2000.dump"));
+    auto text = text_of(dumps / (kind + ".2000.dump"));
     text.replace(text.find("2000"), 4, "1500");
     put(dumps / (kind + ".1500.dump"), text);
   }
   ASSERT_EQ(rodpack_command(command).exit_code, 0);
-  EXPECT_EQ(nlohmann::json::parse(content(run_folder / "analysis/summary.json"))["timestep"], 1500);
+  EXPECT_EQ(nlohmann::json::parse(text_of(run_folder / "analysis/summary.json"))["timestep"], 1500);
 
   put(run_folder / "result.json", "not JSON");
   const auto bad = rodpack_command(command);
@@ -399,7 +395,7 @@ TEST(Analyse, ContactsThatCannotBeMeasuredAreANote) {
   const auto command = "analyse '" + run_folder.string() + "'";
   ASSERT_EQ(rodpack_command(command).exit_code, 0);
   ASSERT_TRUE(fs::exists(run_folder / "analysis" / "forces_chains.png"));
-  auto old = content(dump);
+  auto old = text_of(dump);
   old.replace(old.find("nx ny nz"), 8, "nu nv nw");
   put(dump, old);
   expect_note("contacts.2000.dump:9: no column 'nx'");
@@ -413,11 +409,11 @@ TEST(Analyse, ContactsThatCannotBeMeasuredAreANote) {
   auto bad = packing.contacts_frame(2000);
   bad.replace(bad.rfind(" 0\n"), 3, " x\n");
   put(dump, bad);
-  const auto summary = content(run_folder / "analysis" / "summary.json");
+  const auto summary = text_of(run_folder / "analysis" / "summary.json");
   const auto run = rodpack_command(command);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_THAT(run.output, HasSubstr("column 'nz': expected a finite number, found 'x'"));
-  EXPECT_EQ(content(run_folder / "analysis" / "summary.json"), summary) << "was overwritten";
+  EXPECT_EQ(text_of(run_folder / "analysis" / "summary.json"), summary) << "was overwritten";
 }
 
 TEST(Analyse, ABedOfSpheresLeavesOrientationOutAndSaysSo) {

@@ -243,7 +243,7 @@ TEST(DeckFolder, DeckIsThatOfTheRepositoryOrWhereItIsSaid) {
 }
 
 auto compare_command(const std::string& arguments, const fs::path& folder) {
-  return test::run_command("'" RODPACK_BIN "/rodpack' compare " + arguments, folder);
+  return test::run_rodpack("compare " + arguments, folder);
 }
 
 TEST(CompareCommand, NothingIsOverwritten) {

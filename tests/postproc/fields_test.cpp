@@ -265,7 +265,7 @@ TEST(FieldCommands, WriteTablesImagesAndFigures) {
   put(folder / "bodies.7.dump", made.bodies_frame(7));
   put(folder / "contacts.7.dump", made.contacts_frame(7));
   const auto run = [&](const std::string& arguments) {
-    return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
+    return rodpack::test::run_rodpack(arguments, folder);
   };
   const auto written = [&](const std::string& name) {
     return std::filesystem::exists(folder / name) && std::filesystem::file_size(folder / name) > 0;

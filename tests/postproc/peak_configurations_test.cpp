@@ -373,8 +373,8 @@ TEST(RdfCommand, ExplainsAPeak) {
   put(folder / "bodies.1.dump", placed.text());
   put(folder / "bodies.2.dump", placed.text(2));
   const auto run = [&](const std::string& arguments) {
-    return rodpack::test::run_command(
-        "'" RODPACK_BIN "/rodpack' rdf 'bodies.*.dump' --dp 0.003 --margin 0 " + arguments, folder);
+    return rodpack::test::run_rodpack("rdf 'bodies.*.dump' --dp 0.003 --margin 0 " + arguments,
+                                      folder);
   };
   const auto done = run("--explain 2 --all-frames -o g");
   ASSERT_EQ(done.exit_code, 0) << done.output;

@@ -21,20 +21,16 @@ using nlohmann::json;
 using rodpack::test::fresh_folder;
 using rodpack::test::put;
 using rodpack::test::SyntheticPacking;
+using rodpack::test::text_of;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
 auto rodpack_command(const std::string& arguments, const fs::path& folder = fresh_folder()) {
-  return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
+  return rodpack::test::run_rodpack(arguments, folder);
 }
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string file_in_base64(const fs::path& file) { return rodpack::base64(content(file)); }
+std::string file_in_base64(const fs::path& file) { return rodpack::base64(text_of(file)); }
 
 /// All captures of the first group.
 std::vector<std::string> all_matches(const std::string& text, const std::string& pattern) {
@@ -262,7 +258,7 @@ TEST(PackingData, ASphereOutOfPlaceIsRefusedByName) {
 
 TEST(RunPage, HoldsEveryFigureAndEveryNumberOfTheAnalysisAndNothingFromElsewhere) {
   const auto run = analysed_run(fresh_folder() / "run");
-  const auto html = content(run / "analysis" / "report.html");
+  const auto html = text_of(run / "analysis" / "report.html");
   expect_self_contained(html);
 
   const auto figures = figures_in(run / "analysis");
@@ -278,7 +274,7 @@ TEST(RunPage, HoldsEveryFigureAndEveryNumberOfTheAnalysisAndNothingFromElsewhere
   std::set<double> shown;
   for (const auto& value : all_matches(html, "<data value=\"([^\"]*)\""))
     shown.insert(std::stod(value));
-  const auto summary = json::parse(content(run / "analysis" / "summary.json"));
+  const auto summary = json::parse(text_of(run / "analysis" / "summary.json"));
   int numbers = 0;
   for (const auto& [key, value] : summary.items())
     if (value.is_number()) {
@@ -298,12 +294,12 @@ TEST(RunPage, HoldsEveryFigureAndEveryNumberOfTheAnalysisAndNothingFromElsewhere
 TEST(RunPage, IsMadeAnewByReportAndByAnalyse) {
   const auto run = analysed_run(fresh_folder() / "run", 2.0);
   const auto page = run / "analysis" / "report.html";
-  const auto first = content(page);
+  const auto first = text_of(page);
   fs::remove(page);
   const auto report = rodpack_command("report '" + run.string() + "/'");
   EXPECT_EQ(report.exit_code, 0) << report.output;
   EXPECT_THAT(report.output, HasSubstr("written: " + page.string()));
-  EXPECT_TRUE(first == content(page)) << "the two pages differ";
+  EXPECT_TRUE(first == text_of(page)) << "the two pages differ";
 }
 
 TEST(RunPage, NamesCannotBreakIt) {
@@ -311,11 +307,11 @@ TEST(RunPage, NamesCannotBreakIt) {
   SyntheticPacking packing;
   packing.fill();
   packing.write_run(folder);
-  auto parameters = content(folder / "parameters.json");
+  auto parameters = text_of(folder / "parameters.json");
   parameters.insert(1, "\"surface\": \"<script>alert(1)</script>\", \"<i>key</i>_m\": 1, ");
   put(folder / "parameters.json", parameters);
   rodpack_command("analyse '" + folder.string() + "'");
-  const auto html = content(folder / "analysis" / "report.html");
+  const auto html = text_of(folder / "analysis" / "report.html");
   EXPECT_THAT(html, HasSubstr("a&lt;b&gt;&amp;&quot;c"));
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;alert(1)&lt;/script&gt;"));
   EXPECT_THAT(html, HasSubstr("&lt;i&gt;key&lt;/i&gt;"));
@@ -333,7 +329,7 @@ TEST(RunPage, APackingWithoutContactsSaysSo) {
     fs::remove(run / "dumps" / ("contacts." + step + ".dump"));
   const auto analyse = rodpack_command("analyse '" + run.string() + "'");
   ASSERT_EQ(analyse.exit_code, 0) << analyse.output;
-  EXPECT_THAT(content(run / "analysis" / "report.html"),
+  EXPECT_THAT(text_of(run / "analysis" / "report.html"),
               HasSubstr("\"contacts\":null,\"contacts_missing\":\"no file matches"));
 }
 

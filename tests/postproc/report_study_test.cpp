@@ -17,14 +17,10 @@
 namespace {
 using rodpack::test::fresh_folder;
 using rodpack::test::put;
+using rodpack::test::text_of;
 using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A run folder as the page reads it: packing, log, result, and what the analysis noted.
 void write_run(const fs::path& run, const std::string& notes) {
@@ -107,7 +103,7 @@ TEST(StudyPage, HoldsCasesNumbersClaimsFiguresPackingsAndCost) {
   const auto folder = write_study(fresh_folder() / "study");
   write_results(folder / "ensemble");
   EXPECT_EQ(rodpack::write_study_page(folder.string()), (folder / "report.html").string());
-  const auto html = content(folder / "report.html");
+  const auto html = text_of(folder / "report.html");
   const auto numbers = numbers_in(html);
   // The means of ensemble.json, of table2.csv and of claims.json, whole.
   for (const double number : {0.8512345, 0.7654321, 0.00123456, 0.8512345 / 2, 3.25, 0.0012, 0.85,
@@ -134,7 +130,7 @@ TEST(StudyPage, FiguresStandInTheListsOrderThenByNumberEachAsItsSmallerFile) {
   const auto folder = write_study(fresh_folder() / "study");
   write_results(folder / "ensemble");
   rodpack::write_study_page(folder.string());
-  const auto html = content(folder / "report.html");
+  const auto html = text_of(folder / "report.html");
   const auto at = [&](const std::string& text) { return html.find(text); };
   const auto image = [](const std::string& type, const std::string& bytes) {
     return "src=\"data:image/" + type + ";base64," + rodpack::base64(bytes) + "\"";
@@ -155,7 +151,7 @@ TEST(StudyPage, NoTextOfTheDataIsReadAsMarkup) {
   const auto folder = write_study(fresh_folder() / "study");
   write_results(folder / "ensemble");
   rodpack::write_study_page(folder.string());
-  const auto html = content(folder / "report.html");
+  const auto html = text_of(folder / "report.html");
   EXPECT_THAT(html, HasSubstr("<title>A &lt;small&gt; study</title>"));
   for (const std::string markup :
        {"<small>", "a<b>", "<AR>", "<i>other", "<low>", "<seed>", "<case>"})
@@ -169,7 +165,7 @@ TEST(StudyPage, WhatIsMissingIsNamedWithTheCommandThatMakesIt) {
   fs::remove(folder / "cases.json");
   fs::remove_all(folder / "runs" / odd_name);
   rodpack::write_study_page(folder.string());
-  const auto html = content(folder / "report.html");
+  const auto html = text_of(folder / "report.html");
   for (const std::string file : {"table2.csv", "claims.json"})
     EXPECT_THAT(html, HasSubstr("Missing: " + file + ". <code>rodpack ensemble "));
   EXPECT_THAT(html, HasSubstr("Missing: "));
@@ -195,7 +191,7 @@ TEST(StudyPage, OfResultsThatWereWrittenElsewhereStandsBesideThem) {
   const auto folder = write_study(fresh_folder() / "study");
   const auto results = folder / "ensemble";
   EXPECT_EQ(rodpack::write_study_page(results.string()), (results / "report.html").string());
-  EXPECT_THAT(content(results / "report.html"), HasSubstr("smooth-AR5, seed 1</option>"));
+  EXPECT_THAT(text_of(results / "report.html"), HasSubstr("smooth-AR5, seed 1</option>"));
 }
 
 TEST(Notes, AlikeOnesAboutSeveralRunsStandOnce) {

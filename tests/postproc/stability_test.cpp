@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 TEST(Stability, BisectionFindsWhereGrowthBegins) {
   int calls = 0;
   const auto grows = [&](double y) { return ++calls, y > 0.7236; };
@@ -52,9 +47,10 @@ TEST(Stability, RowsOfTheTableAreNotMeasuredAgain) {
   EXPECT_THROW(measure_stability(options), DataError);
 
   write_stability(limits, folder.string());
-  EXPECT_EQ(text_of(folder / "stability.csv"), header +
-                                                   "velocity_verlet,0,0.2,1.64,1.639607805\n"
-                                                   "adams_bashforth,3,0.2,0.6668,0.6666666667\n");
+  EXPECT_EQ(test::text_of(folder / "stability.csv"),
+            header +
+                "velocity_verlet,0,0.2,1.64,1.639607805\n"
+                "adams_bashforth,3,0.2,0.6668,0.6666666667\n");
   for (const char* figure : {"stability.png", "stability.svg"})
     EXPECT_GT(fs::file_size(folder / figure), 1000u) << figure;
 }
@@ -88,7 +84,7 @@ TEST(Stability, AMalformedTableIsNamed) {
 TEST(Stability, ScenesAreWrittenWithTheirFactor) {
   const fs::path folder = test::fresh_folder();
   write_stability_scenes({{"rod_flat", 3, 0.2, 1e-4, 0.99e-4, 3e-4}}, folder.string());
-  EXPECT_EQ(text_of(folder / "stability_scenes.csv"),
+  EXPECT_EQ(test::text_of(folder / "stability_scenes.csv"),
             "scene,order,damping_ratio,limit_measured_s,limit_check_s,limit_single_contact_s,"
             "factor\nrod_flat,3,0.2,0.0001,9.9e-05,0.0003,3\n");
 }

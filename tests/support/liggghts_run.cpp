@@ -44,12 +44,12 @@ class Folders {
   std::vector<fs::path> folders_;
 };
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 fs::path fresh_folder() {
   static Folders folders;
@@ -59,7 +59,11 @@ fs::path fresh_folder() {
 Run run_command(const std::string& command, const fs::path& folder) {
   const int exit_code = run_program({"sh", "-c", command},
                                     {"", folder.string(), (folder / "output.txt").string(), {}});
-  return {exit_code, contents(folder / "output.txt"), folder};
+  return {exit_code, text_of(folder / "output.txt"), folder};
+}
+
+Run run_rodpack(const std::string& arguments, const fs::path& folder) {
+  return run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
 }
 
 Run run_liggghts(const std::string& deck, const std::map<std::string, std::string>& vars,
@@ -79,8 +83,8 @@ Run run_liggghts_in(const fs::path& folder, const std::string& deck,
   const Liggghts liggghts = {RODPACK_BIN "/liggghts", RODPACK_MPIEXEC, ranks};
   fs::remove(folder / "log.liggghts");
   const int exit_code = rodpack::run_liggghts(liggghts, file.string(), vars, folder.string());
-  Run run = {exit_code, contents(folder / "output.txt"), folder};
-  run.output += contents(folder / "log.liggghts");
+  Run run = {exit_code, text_of(folder / "output.txt"), folder};
+  run.output += text_of(folder / "log.liggghts");
   return run;
 }
 

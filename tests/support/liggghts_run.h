@@ -21,8 +21,14 @@ struct Run {
 /// A fresh empty folder; removed when the test program ends, unless a test failed.
 std::filesystem::path fresh_folder();
 
+/// The whole of a file; empty if there is none.
+std::string text_of(const std::filesystem::path& file);
+
 /// Runs a shell command in `folder`.
 Run run_command(const std::string& command, const std::filesystem::path& folder = fresh_folder());
+
+/// Runs the built post-processor in `folder`; the arguments are words for a shell.
+Run run_rodpack(const std::string& arguments, const std::filesystem::path& folder = fresh_folder());
 
 /// Runs the built LIGGGHTS in a fresh folder. `deck` is a path relative to the repository's
 /// inputs/, or the deck's text if it contains a newline. `vars` become -var name value.

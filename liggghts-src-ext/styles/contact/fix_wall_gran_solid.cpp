@@ -18,21 +18,25 @@ using namespace LAMMPS_NS;
 /// The command, taken apart: the words that wall/gran understands, and which side is free.
 struct FixWallGranSolid::Arguments {
   std::vector<char*> words;
-  std::string plane, bound;
+  int axis;
   double position;
+  int free_side;
 
-  Arguments(LAMMPS* lmp, int narg, char** arg) : words(arg, arg + narg), position(0.0) {
+  Arguments(LAMMPS* lmp, int narg, char** arg) : words(arg, arg + narg) {
     StyleArguments wall(lmp, narg, arg), side(lmp, narg, arg);
-    if (wall.find("primitive") >= 0 && wall.left() >= 4) {
-      wall.word("primitive", "type");
-      wall.word("type", "an atom type");
-      plane = wall.word("primitive", "a plane");
-      position = wall.number("position of the plane", "a number in m");
-    }
+    if (wall.find("primitive") < 0)
+      wall.fail("keyword primitive is missing, expected 'primitive type T PLANE POSITION'");
+    wall.choice("primitive", {"type"});
+    const std::string type = wall.peek();
+    const int types = lmp->atom->ntypes;
+    if (wall.integer("T", "an atom type in [1, 2147483647]") > types)
+      wall.reject("T", "at most " + std::to_string(types) + ", the number of atom types", type);
+    axis = wall.choice("PLANE", {"xplane", "yplane", "zplane"});
+    position = wall.number("POSITION", a_position);
     const int place = side.find("bound");
-    if (place < 0) return;
-    bound = side.more() ? side.peek() : "nothing";
-    words.erase(words.begin() + place, words.begin() + std::min(place + 2, narg));
+    if (place < 0) side.fail("keyword bound is missing, expected 'bound lo' or 'bound hi'");
+    free_side = side.choice("bound", {"lo", "hi"}) == 0 ? 1 : -1;
+    words.erase(words.begin() + place, words.begin() + place + 2);
   }
 };
 
@@ -41,20 +45,9 @@ FixWallGranSolid::FixWallGranSolid(LAMMPS* lmp, int narg, char** arg)
 
 FixWallGranSolid::FixWallGranSolid(LAMMPS* lmp, Arguments given)
     : FixWallGran(lmp, static_cast<int>(given.words.size()), given.words.data()),
-      axis_(-1),
+      axis_(given.axis),
       position_(given.position),
-      free_side_(given.bound == "lo" ? 1 : -1) {
-  const char* const planes[] = {"xplane", "yplane", "zplane"};
-  for (int d = 0; d < 3; ++d)
-    if (given.plane == planes[d]) axis_ = d;
-  if (axis_ < 0)
-    stop_run(lmp, *this,
-             "expected a plane, 'primitive type T xplane|yplane|zplane POSITION', got '" +
-                 given.plane + "'");
-  if (given.bound != "lo" && given.bound != "hi")
-    stop_run(lmp, *this,
-             "bound must be lo (the particles are above the plane) or hi (below it), got '" +
-                 given.bound + "'");
+      free_side_(given.free_side) {
   refuse_what_it_cannot();
 }
 

@@ -7,7 +7,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #ifndef NORMAL_MODEL_SPRING_DASHPOT_H_
 #define NORMAL_MODEL_SPRING_DASHPOT_H_
 
-#include <string>
+#include <cstdio>
 #include "contact_events.h"
 #include "contact_models.h"
 #include "contact_recorder.h"
@@ -19,6 +19,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #include "rodpack/contact/contact_law.h"
 #include "rodpack/contact/normal_history.h"
 #include "stop_run.h"
+#include "style_arguments.h"
 #include "update.h"
 
 namespace LIGGGHTS {
@@ -34,16 +35,17 @@ inline MatrixProperty* create_damping_ratio_tangential(PropertyRegistry& registr
   return MODEL_PARAMS::createPerTypePairProperty(registry, "dampingRatioTangential", caller);
 }
 
-/// Stops unless low <= value < high (low itself excluded when `positive`) for every pair of types.
+/// Stops unless the value for every pair of types lies in the interval that `expected` names.
 inline void check_type_pairs(LAMMPS* lmp, int ntypes, double** values, const char* property,
-                             bool positive, double high, const char* expected) {
+                             const char* expected) {
   for (int i = 1; i <= ntypes; ++i) {
     for (int j = 1; j <= ntypes; ++j) {
-      const double value = values[i][j];
-      if ((positive ? value > 0.0 : value >= 0.0) && value < high) continue;
-      stop_run(lmp, std::string("property/global ") + property + ": value " +
-                        std::to_string(value) + " for types " + std::to_string(i) + " and " +
-                        std::to_string(j) + ", expected " + expected);
+      if (in_interval(values[i][j], expected)) continue;
+      char text[256];
+      std::snprintf(text, sizeof text,
+                    "property/global %s is '%.15g' for types %d and %d, expected %s", property,
+                    values[i][j], i, j, expected);
+      stop_run(lmp, text);
     }
   }
 }
@@ -83,11 +85,11 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     registry.connect("dampingRatioTangential", eta_t_, caller);
 
     const int ntypes = registry.max_type();
-    const double no_limit = 1e300;
-    check_type_pairs(lmp, ntypes, kn_, "kn", true, no_limit, "a stiffness > 0 (N/m)");
-    check_type_pairs(lmp, ntypes, kt_, "kt", true, no_limit, "a stiffness > 0 (N/m)");
-    check_type_pairs(lmp, ntypes, eta_n_, "dampingRatioNormal", false, 1.0, "0 <= ratio < 1");
-    check_type_pairs(lmp, ntypes, eta_t_, "dampingRatioTangential", false, 1.0, "0 <= ratio < 1");
+    const char *stiffness = "a stiffness (N/m) in (0, 1e15]", *ratio = "a ratio in [0, 1)";
+    check_type_pairs(lmp, ntypes, kn_, "kn", stiffness);
+    check_type_pairs(lmp, ntypes, kt_, "kt", stiffness);
+    check_type_pairs(lmp, ntypes, eta_n_, "dampingRatioNormal", ratio);
+    check_type_pairs(lmp, ntypes, eta_t_, "dampingRatioTangential", ratio);
     if (force->cg_active()) error->cg(FLERR, caller);
   }
 

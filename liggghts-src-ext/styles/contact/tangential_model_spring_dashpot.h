@@ -14,11 +14,13 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 #include "contact_recorder.h"
 #include "fix.h"
 #include "global_properties.h"
+#include "input.h"
 #include "modify.h"
 #include "normal_model_spring_dashpot.h"
 #include "rodpack/motion/multistep.h"
 #include "rodpack/contact/tangential_history.h"
 #include "stop_run.h"
+#include "style_arguments.h"
 #include "tangential_model_base.h"
 #include "update.h"
 
@@ -52,14 +54,16 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   void registerSettings(Settings& settings) {
     settings.registerDoubleSetting("multistepOrder", slots_setting_, 3.0);
     settings.registerOnOff("totalForceCap", total_cap_, false);
+    // Settings would take any word for a number, and read on where there is none.
+    StyleArguments order(lmp, "tangential spring_dashpot", input->narg, input->arg, 0);
+    if (order.find("multistepOrder") >= 0)
+      order.integer("multistepOrder", "a whole number in [1, 4]");
+    StyleArguments cap(lmp, "tangential spring_dashpot", input->narg, input->arg, 0);
+    if (cap.find("totalForceCap") >= 0) cap.choice("totalForceCap", {"off", "on"});
   }
 
   void postSettings(IContactHistorySetup* hsetup, ContactModelBase*) {
     slots_ = static_cast<int>(slots_setting_);
-    if (slots_ != slots_setting_ || slots_ < 1 || slots_ > rodpack::max_multistep_order) {
-      stop_run(lmp, "tangential spring_dashpot: multistepOrder is " +
-                        std::to_string(slots_setting_) + ", expected 1, 2, 3 or 4");
-    }
     for (int value = 0; value < 3 * (slots_ + 1); ++value) {
       const int index = hsetup->add_history_value("spring_dashpot_" + std::to_string(value), "1");
       if (value == 0) offset_ = index;
@@ -83,8 +87,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
       stop_run(lmp, "tangential spring_dashpot: repeat the pair_style command after read_restart");
     registry.registerProperty("coeffFrict", &MODEL_PARAMS::createCoeffFrict);
     registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
-    check_type_pairs(lmp, registry.max_type(), friction_, "coefficientFriction", false, 1e300,
-                     "a coefficient >= 0");
+    check_type_pairs(lmp, registry.max_type(), friction_, "coefficientFriction",
+                     "a coefficient in [0, 1e15]");
     order_ = running_order();
     events_ = followed_events();
     if (order_ > slots_) {

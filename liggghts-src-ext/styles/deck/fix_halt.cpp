@@ -15,6 +15,12 @@
 
 namespace LAMMPS_NS {
 
+namespace {
+
+const char* const expected_variable = "v_ and the name of an equal-style variable";
+
+}  // namespace
+
 FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg),
       index_(-1),
@@ -25,17 +31,15 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
       message_(true),
       halted_(false),
       quit_set_here_(false) {
-  StyleArguments arguments(lmp, narg, arg, 3, "Fix", StyleArguments::Wording::is);
-  if (arguments.left() < 4) arguments.fail("expected: N v_name operator value");
-  nevery = arguments.integer("N", "N > 0", [](long n) { return n > 0; });
-  const std::string variable = arguments.word("condition", "v_ and a variable's name");
-  if (variable.compare(0, 2, "v_") != 0)
-    arguments.fail("condition on " + variable + ", expected v_ and a variable's name");
+  StyleArguments arguments(lmp, narg, arg);
+  nevery = arguments.integer("N", "a whole number in [1, 2147483647]");
+  const std::string variable = arguments.word("v_NAME", expected_variable);
+  if (variable.compare(0, 2, "v_") != 0) arguments.reject("v_NAME", expected_variable, variable);
   variable_ = variable.substr(2);
   operator_text_ = arguments.peek();
   operator_ =
-      static_cast<Operator>(arguments.choice("operator", {"<", "<=", ">", ">=", "==", "!="}));
-  value_ = arguments.number("value", "a number");
+      static_cast<Operator>(arguments.choice("OPERATOR", {"<", "<=", ">", ">=", "==", "!="}));
+  value_ = arguments.number("VALUE", "a number");
   read_keywords(arguments);
 
   scalar_flag = 1;
@@ -48,13 +52,12 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
 }
 
 void FixHalt::read_keywords(StyleArguments& arguments) {
-  const auto not_negative = [](bigint steps) { return steps >= 0; };
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "a keyword");
+    const std::string keyword = arguments.new_keyword();
     if (keyword == "start")
-      start_ = arguments.step(keyword, "a step >= 0", not_negative);
+      start_ = arguments.step(keyword, "a step in [0, 1e15]");
     else if (keyword == "hold")
-      hold_ = arguments.step(keyword, "a number of steps >= 0", not_negative);
+      hold_ = arguments.step(keyword, "a number of steps in [0, 1e15]");
     else if (keyword == "message")
       message_ = arguments.yes_or_no(keyword);
     else
@@ -83,9 +86,10 @@ int FixHalt::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN; }
 
 void FixHalt::init() {
   index_ = input->variable->find(const_cast<char*>(variable_.c_str()));
-  if (index_ < 0) stop_run(lmp, *this, "there is no variable " + variable_);
-  if (!input->variable->equalstyle(index_))
-    stop_run(lmp, *this, "variable " + variable_ + " is not of style equal");
+  if (index_ < 0 || !input->variable->equalstyle(index_))
+    stop_run(lmp, *this,
+             "v_NAME is 'v_" + variable_ + "', expected " + expected_variable +
+                 (index_ < 0 ? ": there is no such variable" : ": that one is of another style"));
 }
 
 void FixHalt::setup(int) { halted_ = false; }

@@ -2,6 +2,7 @@
 #include "parameter.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -78,26 +79,28 @@ void Parameter::command(int narg, char** arg) {
 }
 
 void Parameter::declare(int narg, char** arg) {
-  if (narg < 3)
-    stop_run(
-        lmp,
-        "expected 'parameter NAME real|integer|text DEFAULT ...' or 'parameter NAME choice A B "
-        "...', got " +
-            std::to_string(narg) + " words");
-  Declaration it{arg[0], arg[1], take_value(arg[0], arg[2]), ""};
-  StyleArguments arguments(lmp, "parameter '" + it.name + "'", narg, arg, 2);
+  StyleArguments command(lmp, "parameter", narg, arg, 0);
+  const char* const a_name = "letters, digits and _";
+  Declaration it{command.word("NAME", a_name), "", "", ""};
+  if (!std::all_of(it.name.begin(), it.name.end(),
+                   [](unsigned char c) { return std::isalnum(c) || c == '_'; }))
+    command.reject("NAME", a_name, it.name);
+  StyleArguments arguments(lmp, "parameter '" + it.name + "'", narg, arg, 1);
+  it.type = arguments.peek();
+  arguments.choice("TYPE", {"real", "integer", "choice", "text"});
+  if (!arguments.more()) arguments.word("DEFAULT", "a value");
+  it.value = take_value(it.name, arguments.peek());
   if (it.type == "choice") {
     declare_choice(it, arguments);
   } else if (it.type == "text") {
-    const std::string fallback = arguments.word("default", "a text");
+    const std::string fallback = arguments.word("DEFAULT", "a text");
     set_variable(it.name + "_given", "string", it.value == fallback ? "0" : "1");
     if (arguments.more() && arguments.new_keyword() != "path")
       arguments.reject_keyword(arg[3], "path");
+    arguments.require_end();
     if (arguments.given("path")) check_path(it, arguments);
-  } else if (it.type == "real" || it.type == "integer") {
-    declare_number(it, arguments);
   } else {
-    arguments.fail("unknown type '" + it.type + "', expected real, integer, text or choice");
+    declare_number(it, arguments);
   }
   declared_.erase(std::remove_if(declared_.begin(), declared_.end(),
                                  [&](const Declaration& d) { return d.name == it.name; }),
@@ -143,13 +146,18 @@ void Parameter::declare_number(Declaration& it, StyleArguments& arguments) {
   double number = 0;
   long long whole = 0;
   const bool integer = it.type == "integer";
+  const std::string expected = integer ? "an integer" : "a number";
+  // The default, which the value of the command line may have replaced.
+  if (integer)
+    arguments.step("DEFAULT", expected);
+  else
+    arguments.number("DEFAULT", expected);
   if (!(integer ? read_integer(it.value, whole) : read_number(it.value, number)))
-    arguments.fail(std::string("expected ") + (integer ? "an integer" : "a number") + ", got '" +
-                   it.value + "'");
+    arguments.fail("expected " + expected + ", got '" + it.value + "'");
   if (integer) number = static_cast<double>(whole);
-  arguments.word("default", "a number");  // which the value of the command line may have replaced
+  std::string broken;  // the first bound that the value does not keep
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "a keyword"), text = arguments.peek();
+    const std::string keyword = arguments.new_keyword(), text = arguments.peek();
     if (keyword == "unit") {
       it.unit = arguments.word(keyword, "the name of a unit");
       continue;
@@ -161,8 +169,9 @@ void Parameter::declare_number(Declaration& it, StyleArguments& arguments) {
                       : keyword == "above"   ? number > bound
                       : keyword == "maximum" ? number <= bound
                                              : number < bound;
-    if (!kept) arguments.fail("expected " + keyword + " " + text + ", got " + it.value);
+    if (!kept && broken.empty()) broken = keyword + " " + text;
   }
+  if (!broken.empty()) arguments.fail("expected " + broken + ", got " + it.value);
 }
 
 void Parameter::check_command_line() const {
@@ -197,23 +206,18 @@ std::string Parameter::json_entry(const Declaration& d) {
 }
 
 void Parameter::write(const std::string& file) const {
-  enum { written, exists, failed };
-  int result = written;
+  std::string fault;
   if (comm->me == 0 && std::ifstream(file)) {
-    result = exists;
+    fault = "'" + file +
+            "' exists already: a run is never overwritten, choose another folder or resume it";
   } else if (comm->me == 0) {
     std::string text = "{\n  \"format\": \"rodpack-run 1\"";
     text += ",\n  \"rodpack\": " + json_of_rodpack();
     for (const auto& d : declared_) text += ",\n  " + json_entry(d);
-    if (!write_whole(file, text + "\n}\n").empty()) result = failed;
+    fault = write_whole(file, text + "\n}\n");
   }
-  MPI_Bcast(&result, 1, MPI_INT, 0, world);
-  if (result == exists)
-    stop_run(
-        lmp,
-        "'" + file +
-            "' exists already: a run is never overwritten, choose another folder or resume it");
-  if (result == failed) stop_run(lmp, "cannot write '" + file + "': does its folder exist?");
+  if (!fault.empty()) fault = "parameter write " + file + ": " + fault;
+  stop_run_by_rank_0(lmp, fault);
 }
 
 void Parameter::compare(const std::string& file, const std::set<std::string>& except) const {

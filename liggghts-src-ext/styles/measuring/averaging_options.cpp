@@ -14,8 +14,6 @@ namespace LAMMPS_NS {
 
 namespace {
 
-bool share(double value) { return value > 0.0 && value < 1.0; }
-
 // The settings as they are read, before one is held against another.
 struct Words {
   double scale = 0.0;
@@ -31,13 +29,13 @@ struct Words {
 
 rodpack::Vector read_point(StyleArguments& arguments, int dimension) {
   rodpack::Vector point{{0.0, 0.0, 0.0}};
-  for (int d = 0; d < dimension; ++d) point[d] = arguments.number("point", "a coordinate (m)");
+  for (int d = 0; d < dimension; ++d) point[d] = arguments.number("point", a_position);
   return point;
 }
 
 void read_points(const StyleArguments& arguments, const std::string& name, Words& words) {
   std::ifstream file(name);
-  if (!file) arguments.fail("points: cannot open " + name);
+  if (!file) arguments.reject("points", "a file that can be read", name);
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     std::istringstream row(line.substr(0, line.find('#')));
@@ -60,14 +58,12 @@ void read_points(const StyleArguments& arguments, const std::string& name, Words
 
 void read_keyword(StyleArguments& arguments, const std::string& keyword, Words& words) {
   if (keyword == "scale") {
-    words.scale = arguments.number(keyword, "a length > 0 (m)", StyleArguments::positive);
+    words.scale = arguments.number(keyword, a_length);
     if (arguments.peek() != "times") return;
     arguments.word(keyword, "times");
-    words.scale *=
-        arguments.number("scale ... times", "a length > 0 (m)", StyleArguments::positive);
+    words.scale *= arguments.number("scale ... times", a_length);
   } else if (keyword == "dimension") {
-    words.dimension =
-        arguments.integer(keyword, "2 or 3", [](long value) { return value == 2 || value == 3; });
+    words.dimension = arguments.choice(keyword, {"2", "3"}) + 2;
     if (!words.box.empty() || !words.points.empty())
       arguments.fail("dimension has to come before box and point");
   } else if (keyword == "kernel") {
@@ -75,15 +71,14 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Words& 
   } else if (keyword == "line") {
     words.line = arguments.word(keyword, "auto, exact, 1, 2, 3 or 4");
   } else if (keyword == "tolerance") {
-    words.tolerance = arguments.number(keyword, "a number between 0 and 1", share);
+    words.tolerance = arguments.number(keyword, "a number in (0, 1)");
   } else if (keyword == "cutoff") {
-    words.cutoff = arguments.number(keyword, "a number of scales > 0", StyleArguments::positive);
+    words.cutoff = arguments.number(keyword, "a number of scales in (0, 1e15]");
   } else if (keyword == "spacing") {
-    words.spacing = arguments.number(keyword, "a length > 0 (m)", StyleArguments::positive);
+    words.spacing = arguments.number(keyword, a_length);
   } else if (keyword == "box") {
-    words.box.clear();
     for (int k = 0; k < 2 * words.dimension; ++k)
-      words.box.push_back(arguments.number(keyword, "a coordinate (m)"));
+      words.box.push_back(arguments.number(keyword, a_position));
   } else if (keyword == "point") {
     words.points.push_back(read_point(arguments, words.dimension));
   } else if (keyword == "points") {
@@ -125,10 +120,10 @@ AveragingOptions read_averaging_options(LAMMPS* lmp, int narg, char** arg, int f
   if (!lmp->atom->sphere_flag) arguments.fail("requires atom style sphere");
   Words words;
   while (arguments.more()) {
-    const std::string keyword = arguments.word("keyword", "a keyword");
+    const std::string keyword = arguments.new_keyword("point");
     read_keyword(arguments, keyword, words);
   }
-  if (!(words.scale > 0.0)) arguments.fail("scale is missing, expected a length > 0 (m)");
+  arguments.require({"scale"});
   if (!words.points.empty() && (!words.box.empty() || words.spacing > 0.0))
     arguments.fail("point and points exclude box and spacing");
   if (!domain.box_exist) arguments.fail("needs a simulation box: put it after create_box");

@@ -9,7 +9,7 @@ namespace LAMMPS_NS {
 ComputeContactEnergy::ComputeContactEnergy(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : VectorCompute(lmp, iarg, narg, arg, 2, true),
       recorder_(lmp, std::string("compute ") + style) {
-  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute");
   arguments.require_end();
   arguments.require_group_all("counts all contacts");
 }

@@ -14,10 +14,9 @@ namespace LAMMPS_NS {
 ComputeContactOverlap::ComputeContactOverlap(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : VectorCompute(lmp, iarg, narg, arg, 3, false),
       recorder_(lmp, std::string("compute ") + style) {
-  StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
-  if (arguments.left() != 1)
-    arguments.fail("expected one argument, the largest overlap allowed (m)");
-  limit_ = arguments.number("overlap", "a length > 0", StyleArguments::positive);
+  StyleArguments arguments(lmp, narg, arg, iarg, "Compute");
+  limit_ = arguments.number("L", a_length);
+  arguments.require_end();
   ++iarg;
   arguments.require_group_all("counts all contacts");
 }

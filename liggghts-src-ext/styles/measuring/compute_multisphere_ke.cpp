@@ -13,7 +13,7 @@ namespace LAMMPS_NS {
 
 ComputeMultisphereKe::ComputeMultisphereKe(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : VectorCompute(lmp, iarg, narg, arg, 2, true) {
-  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute", StyleArguments::Wording::is);
+  const StyleArguments arguments(lmp, narg, arg, iarg, "Compute");
   arguments.require_end();
   arguments.require_group_all("counts whole bodies");
   if (!atom->sphere_flag) arguments.fail("requires atom style sphere");

@@ -52,11 +52,11 @@ FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, 
       contacts_(0) {
   StyleArguments arguments(lmp, narg, arg);
   arguments.require_group_all("looks at all contacts");
-  nevery = arguments.integer("N", "a number of steps > 0", [](long n) { return n > 0; });
+  nevery = arguments.integer("N", "a number of steps in [1, 2147483647]");
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "");
+    const std::string keyword = arguments.new_keyword();
     if (keyword == "warn")
-      warn_ = arguments.number(keyword, "a fraction of the limit > 0", StyleArguments::positive);
+      warn_ = arguments.number(keyword, "a fraction of the limit in (0, 1e15]");
     else if (keyword == "error")
       error_ = arguments.yes_or_no(keyword);
     else if (keyword == "planar")

@@ -34,9 +34,9 @@ FixEnforce2DMultisphere::FixEnforce2DMultisphere(LAMMPS* lmp, int narg, char** a
     : Fix(lmp, narg, arg), plane_(0), bodies_(NULL), reference_(NULL) {
   StyleArguments arguments(lmp, narg, arg);
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "");
+    const std::string keyword = arguments.new_keyword();
     if (keyword != "plane") arguments.reject_keyword(keyword, "plane");
-    plane_ = arguments.number(keyword, "a position along z in m");
+    plane_ = arguments.number(keyword, a_position);
   }
   if (domain->dimension != 3)
     arguments.reject("dimension", "3 (particles are spheres and bodies of spheres)",
@@ -59,9 +59,10 @@ void FixEnforce2DMultisphere::init() {
     }
   }
   if (plane_ < domain->boxlo[2] || plane_ > domain->boxhi[2]) {
-    const std::string message =
-        "plane must lie in the simulation box, got '" + std::to_string(plane_) + "'";
-    stop_run(lmp, *this, message);
+    char text[128];
+    std::snprintf(text, sizeof text, "plane is '%.15g', expected a z in the box, %g to %g m",
+                  plane_, domain->boxlo[2], domain->boxhi[2]);
+    stop_run(lmp, *this, text);
   }
   double largest, smallest;
   modify->max_min_rad(largest, smallest);

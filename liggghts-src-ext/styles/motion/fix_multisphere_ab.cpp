@@ -35,7 +35,7 @@ Container& property(Multisphere& bodies, const char* name) {
 }  // namespace
 
 FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
-    : FixMultisphere(lmp, narg, arg),
+    : FixMultisphere(lmp, 3, arg),  // whose own keywords parse() reads, with clear errors
       options_(lmp),
       mass_(property<ScalarContainer<double> >(multisphere_, "masstotal")),
       xcm_(property<Vectors>(multisphere_, "xcm")),
@@ -66,13 +66,12 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
 }
 
 void FixMultisphereAB::parse(int narg, char** arg) {
-  // The base class reads its own keywords only up to the first one of ours, hence all of them here.
   StyleArguments arguments(lmp, narg, arg);
   // Of the spheres of another group the base class makes no bodies: it deletes them without a word.
   arguments.require_group_all("moves every body");
   bool events = true;
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "");
+    const std::string keyword = arguments.new_keyword();
     if (keyword == "allow_group_and_set")
       allow_group_and_set_ = arguments.yes_or_no(keyword);
     else if (keyword == "allow_heatsource")

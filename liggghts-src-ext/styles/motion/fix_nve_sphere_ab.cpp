@@ -31,7 +31,7 @@ FixNVESphereAB::FixNVESphereAB(LAMMPS* lmp, int narg, char** arg)
   time_integrate = 1;
   StyleArguments arguments(lmp, narg, arg);
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "");
+    const std::string keyword = arguments.new_keyword();
     if (!options_.read(keyword, arguments)) arguments.reject_keyword(keyword, "order or planar");
   }
   order_ = options_.order();

@@ -15,9 +15,7 @@ static_assert(rodpack::max_multistep_order == 4, "range of orders in messages an
 
 bool MultistepOptions::read(const std::string& keyword, StyleArguments& arguments) {
   if (keyword == "order") {
-    order_ = arguments.integer(keyword, "an integer from 1 to 4", [](long order) {
-      return order >= 1 && order <= rodpack::max_multistep_order;
-    });
+    order_ = arguments.integer(keyword, "a whole number in [1, 4]");
   } else if (keyword == "planar") {
     planar_ = arguments.peek();
     arguments.choice(keyword, {"auto", "yes", "no"});

@@ -82,8 +82,13 @@ void FixInsertLine::setup(int) {
     anchor_step_ = now;
     time_step_ = update->dt;
   }
-  if (line_interval() < time_step_)
-    stop_run(lmp, *this, "the time between two lines must be at least one time step");
+  if (line_interval() < time_step_) {
+    const bool by_time = options_.interval > 0;
+    char text[160];
+    std::snprintf(text, sizeof text, "%s is '%.15g', expected at least a time step between lines",
+                  by_time ? "interval" : "fall", by_time ? options_.interval : options_.fall);
+    stop_run(lmp, *this, text);
+  }
   next_reneighbor = inserted_ < options_.total ? std::max(now + 1, line_step(lines_)) : -1;
 }
 
@@ -100,7 +105,9 @@ double FixInsertLine::line_interval() const {
 }
 
 bigint FixInsertLine::line_step(int line) const {
-  return anchor_step_ + std::llround((line * line_interval() - anchor_time_) / time_step_);
+  // Beyond the last step that there can be, a line does not come.
+  const double steps = std::min((line * line_interval() - anchor_time_) / time_step_, 1e18);
+  return anchor_step_ + std::llround(steps);
 }
 
 void FixInsertLine::pre_exchange() {

@@ -17,7 +17,7 @@ namespace LAMMPS_NS {
 
 namespace {
 
-bool at_least_one(long value) { return value >= 1; }
+const char* const a_number_of_particles = "a whole number in [1, 2147483647]";
 
 const std::set<std::string> keywords = {"template", "per_line", "x",      "y",
                                         "z",        "total",    "fall",   "interval",
@@ -38,20 +38,9 @@ void read_templates(LAMMPS* lmp, StyleArguments& arguments, LineOptions& options
     if (!particles) arguments.reject("template", "the id of a fix particletemplate", name);
     for (const LineOptions::Part& other : options.parts)
       if (other.particles == particles) arguments.fail("template " + name + " is given twice");
-    options.parts.push_back({particles, arguments.number("template " + name, "a positive fraction",
-                                                         StyleArguments::positive)});
+    options.parts.push_back(
+        {particles, arguments.number("template " + name, "a fraction in (0, 1e15]")});
   } while (arguments.more() && !keywords.count(arguments.peek()));
-}
-
-void read_range(StyleArguments& arguments, const std::string& keyword, const char* expected,
-                double unit, double& low, double& high) {
-  low = arguments.number(keyword, expected);
-  high = arguments.number(keyword, expected);
-  if (low > high || (keyword == "x" && low == high))
-    arguments.reject(keyword, std::string("two of ") + expected + ", the lower one first",
-                     std::to_string(low) + " " + std::to_string(high));
-  low *= unit;
-  high *= unit;
 }
 
 void read_keyword(LAMMPS* lmp, StyleArguments& arguments, const std::string& keyword,
@@ -59,28 +48,29 @@ void read_keyword(LAMMPS* lmp, StyleArguments& arguments, const std::string& key
   if (keyword == "template") {
     read_templates(lmp, arguments, options);
   } else if (keyword == "per_line") {
-    options.per_line = arguments.integer(keyword, "an integer of at least 1", at_least_one);
+    options.per_line = arguments.integer(keyword, a_number_of_particles);
   } else if (keyword == "total") {
-    options.total = arguments.integer(keyword, "an integer of at least 1", at_least_one);
+    options.total = arguments.integer(keyword, a_number_of_particles);
   } else if (keyword == "x") {
-    read_range(arguments, keyword, "positions in m", 1., options.x_low, options.x_high);
+    arguments.pair(keyword, a_position, options.x_low, options.x_high, true);
   } else if (keyword == "y") {
-    options.y = arguments.number(keyword, "a position in m");
+    options.y = arguments.number(keyword, a_position);
   } else if (keyword == "z") {
-    options.z = arguments.number(keyword, "a position in m");
+    options.z = arguments.number(keyword, a_position);
   } else if (keyword == "fall") {
-    options.fall = arguments.number(keyword, "a positive height in m", StyleArguments::positive);
+    options.fall = arguments.number(keyword, a_length);
   } else if (keyword == "interval") {
-    options.interval = arguments.number(keyword, "a positive time in s", StyleArguments::positive);
+    options.interval = arguments.number(keyword, "a time (s) in (0, 1e15]");
   } else if (keyword == "gravity") {
-    options.gravity =
-        arguments.number(keyword, "a positive acceleration in m/s^2", StyleArguments::positive);
+    options.gravity = arguments.number(keyword, "an acceleration (m/s^2) in (0, 1e15]");
   } else if (keyword == "velocity") {
-    read_range(arguments, keyword, "velocities in m/s", 1., options.velocity_low,
-               options.velocity_high);
+    arguments.pair(keyword, "a velocity (m/s) in [-1e15, 1e15]", options.velocity_low,
+                   options.velocity_high);
   } else if (keyword == "angle") {
-    read_range(arguments, keyword, "angles in degrees", M_PI / 180., options.angle_low,
-               options.angle_high);
+    arguments.pair(keyword, "an angle (degrees) in [-1e15, 1e15]", options.angle_low,
+                   options.angle_high);
+    options.angle_low *= M_PI / 180.;
+    options.angle_high *= M_PI / 180.;
   } else {
     arguments.reject_keyword(keyword, "one of " + list_of_keywords());
   }
@@ -106,8 +96,8 @@ void check_room(const Domain& domain, const StyleArguments& arguments, const Lin
     const bool below = domain.boundary[d][0] < shrink_wrapped && low[d] < domain.boxlo[d];
     const bool above = domain.boundary[d][1] < shrink_wrapped && high[d] > domain.boxhi[d];
     if (!below && !above) continue;
-    std::snprintf(text, sizeof text, "%c must lie in the simulation box from %g to %g, got '%g'",
-                  "xyz"[d], domain.boxlo[d], domain.boxhi[d], below ? low[d] : high[d]);
+    std::snprintf(text, sizeof text, "%c is '%.15g', expected a position in the box, %g to %g m",
+                  "xyz"[d], below ? low[d] : high[d], domain.boxlo[d], domain.boxhi[d]);
     arguments.fail(text);
   }
   // LIGGGHTS deletes a body, without a word, when one of its spheres is outside a fixed boundary.
@@ -118,9 +108,9 @@ void check_room(const Domain& domain, const StyleArguments& arguments, const Lin
     const bool above = domain.boundary[1][1] == fixed && options.y + reach > domain.boxhi[1];
     if (!below && !above) continue;
     std::snprintf(text, sizeof text,
-                  "y must leave room for particles of template %s, whose spheres reach %g m from "
-                  "their centre, in the simulation box from %g to %g, got '%g'",
-                  part.particles->id, reach, domain.boxlo[1], domain.boxhi[1], options.y);
+                  "y is '%.15g', expected room for particles of template %s, whose spheres reach "
+                  "%g m from their centre, in the box, %g to %g m",
+                  options.y, part.particles->id, reach, domain.boxlo[1], domain.boxhi[1]);
     arguments.fail(text);
   }
 }
@@ -147,15 +137,14 @@ std::vector<int> LineOptions::numbers() const {
 LineOptions read_line_options(LAMMPS* lmp, int narg, char** arg) {
   StyleArguments arguments(lmp, narg, arg);
   LineOptions options;
-  options.seed =
-      arguments.integer("seed", "a positive integer", [](long value) { return value > 0; });
+  options.seed = arguments.integer("SEED", "a whole number in [1, 2147483647]");
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword();
     read_keyword(lmp, arguments, keyword, options);
   }
   arguments.require({"template", "per_line", "x", "y", "total"});
   if (arguments.given("fall") == arguments.given("interval"))
-    arguments.fail("needs either fall H or interval T");
+    arguments.fail("expected either fall H or interval T");
   if (lmp->domain->dimension != 3)
     arguments.reject("dimension", "3", std::to_string(lmp->domain->dimension));
   if (lmp->domain->triclinic) arguments.fail("does not work with a triclinic box");

@@ -20,8 +20,7 @@ double read_overlap(StyleArguments& arguments) {
   if (surface == "coarse") return 0;
   if (surface == "smooth") return 0.5;
   if (surface != "overlap") arguments.reject("surface", "coarse, smooth or overlap F", surface);
-  return arguments.number("surface overlap", "a fraction from 0 to below 1",
-                          [](double f) { return f >= 0 && f < 1; });
+  return arguments.number("surface overlap", "a fraction in [0, 0.9999]");
 }
 
 void read_mass(StyleArguments& arguments, Options& options) {
@@ -33,19 +32,18 @@ void read_mass(StyleArguments& arguments, Options& options) {
     options.mass_rule = Options::Mass::own;
   } else if (rule == "given") {
     options.mass_rule = Options::Mass::given;
-    options.given_mass.mass =
-        arguments.number("mass given M", "a positive mass in kg", StyleArguments::positive);
+    options.given_mass.mass = arguments.number("mass given M", "a mass (kg) in (0, 1e15]");
     double sum = 0;
+    const std::string words = arguments.peek() + " " + arguments.peek(1) + " " + arguments.peek(2);
     for (double& moment : options.given_mass.inertia) {
-      moment = arguments.number("mass given IXX IYY IZZ", "a positive moment of inertia in kg m^2",
-                                StyleArguments::positive);
+      moment =
+          arguments.number("mass given IXX IYY IZZ", "a moment of inertia (kg m^2) in (0, 1e15]");
       sum += moment;
     }
     for (double moment : options.given_mass.inertia)
       if (moment > 0.5 * sum * (1 + 1e-12))
         arguments.reject("mass given IXX IYY IZZ",
-                         "three moments of which none exceeds the sum of the other two",
-                         std::to_string(moment));
+                         "three moments of which none exceeds the sum of the other two", words);
   } else {
     arguments.reject("mass", expected, rule);
   }
@@ -53,31 +51,23 @@ void read_mass(StyleArguments& arguments, Options& options) {
 
 void read_keyword(StyleArguments& arguments, const std::string& keyword, Options& options) {
   if (keyword == "atom_type") {
-    options.atom_type =
-        arguments.integer(keyword, "an atom type of at least 1", [](long t) { return t >= 1; });
+    options.atom_type = arguments.integer(keyword, "an atom type in [1, 2147483647]");
   } else if (keyword == "type") {
-    options.body_type =
-        arguments.integer(keyword, "a body type of at least 1", [](long t) { return t >= 1; });
+    options.body_type = arguments.integer(keyword, "a body type in [1, 2147483647]");
   } else if (keyword == "aspect_ratio") {
-    options.shape.aspect_ratio =
-        arguments.number(keyword, "a number of at least 1", [](double ar) { return ar >= 1; });
+    options.shape.aspect_ratio = arguments.number(keyword, "a number in [1, 10000]");
   } else if (keyword == "diameter") {
-    options.shape.nominal_diameter =
-        arguments.number(keyword, "a positive length in m", StyleArguments::positive);
+    options.shape.nominal_diameter = arguments.number(keyword, a_length);
   } else if (keyword == "surface") {
     options.shape.overlap = read_overlap(arguments);
   } else if (keyword == "curvature") {
     options.shape.curvature_angle =
-        M_PI / 180. * arguments.number(keyword, "an angle from 0 to 180 degrees", [](double deg) {
-          return deg >= 0 && deg <= 180;
-        });
+        M_PI / 180. * arguments.number(keyword, "an angle (degrees) in [0, 180]");
   } else if (keyword == "size_spread") {
-    options.size_spread = arguments.number(keyword, "a fraction from 0 to below 1",
-                                           [](double s) { return s >= 0 && s < 1; });
+    options.size_spread = arguments.number(keyword, "a fraction in [0, 1)");
   } else if (keyword == "density") {
     if (arguments.peek() == "constant") arguments.word(keyword, "constant");
-    options.density =
-        arguments.number(keyword, "a positive density in kg/m^3", StyleArguments::positive);
+    options.density = arguments.number(keyword, "a density (kg/m^3) in (0, 1e15]");
   } else if (keyword == "mass") {
     read_mass(arguments, options);
   } else if (keyword == "follow_drawn_size") {
@@ -113,8 +103,7 @@ Spherocylinder SpherocylinderOptions::particle(double diameter) const {
 SpherocylinderOptions read_spherocylinder_options(LAMMPS* lmp, int narg, char** arg) {
   StyleArguments arguments(lmp, narg, arg);
   Options options;
-  options.seed =
-      arguments.integer("seed", "a positive integer", [](long seed) { return seed > 0; });
+  options.seed = arguments.integer("SEED", "a whole number in [1, 2147483647]");
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword();
     read_keyword(arguments, keyword, options);
@@ -137,6 +126,11 @@ SpherocylinderOptions read_spherocylinder_options(LAMMPS* lmp, int narg, char** 
       drawn.diameter = options.diameter(draw);
       rodpack::validate(drawn);
     }
+    const int spheres = rodpack::sphere_count(options.shape), most = 10000;
+    if (spheres > most)
+      arguments.reject("aspect_ratio with this surface",
+                       "at most " + std::to_string(most) + " spheres in a chain",
+                       std::to_string(spheres) + " spheres");
   } catch (const std::invalid_argument& problem) {
     arguments.fail(problem.what());
   }

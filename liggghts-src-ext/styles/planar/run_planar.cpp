@@ -92,22 +92,18 @@ RunPlanar::RunPlanar(LAMMPS* lmp, int narg, char** arg)
 void RunPlanar::read_options(int narg, char** arg) {
   StyleArguments arguments(lmp, planar_run_style, narg, arg, 0);
   while (arguments.more()) {
-    const std::string keyword = arguments.word("", "a keyword");
-    if (keyword == "skin" && arguments.left() >= 2) {
-      const std::string expected = "0 < least <= largest (m)";
-      const std::string both = arguments.peek() + " " + arguments.peek(1);
-      min_skin_ = arguments.number(keyword, expected);
-      max_skin_ = arguments.number(keyword, expected);
-      if (!(min_skin_ > 0.0) || max_skin_ < min_skin_) arguments.reject(keyword, expected, both);
-    } else if (keyword == "instructions" && arguments.more()) {
+    const std::string keyword = arguments.new_keyword();
+    if (keyword == "skin") {
+      arguments.pair(keyword, a_length, min_skin_, max_skin_);
+    } else if (keyword == "instructions") {
       try {
-        instructions_ = rodpack::planar_instructions(arguments.word(keyword, "their name"));
+        instructions_ =
+            rodpack::planar_instructions(arguments.word(keyword, "auto, baseline, avx2 or avx512"));
       } catch (const std::invalid_argument& reason) {
         arguments.fail(reason.what());
       }
     } else {
-      arguments.fail("unknown keyword or missing value at '" + keyword +
-                     "', expected skin and two lengths, or instructions and their name");
+      arguments.reject_keyword(keyword, "skin or instructions");
     }
   }
 }

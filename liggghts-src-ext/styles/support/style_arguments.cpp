@@ -5,6 +5,7 @@
 #include <climits>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 #include "stop_run.h"
 
@@ -26,65 +27,72 @@ std::string one_of(std::initializer_list<const char*> words) {
 
 }  // namespace
 
-StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first, const char* kind,
-                               Wording wording)
-    : StyleArguments(lmp, std::string(kind) + " " + arg[2] + " (id " + arg[0] + ")", narg, arg,
-                     first, wording) {}
+const char* const a_length = "a length (m) in (0, 1e15]";
+const char* const a_position = "a position (m) in [-1e15, 1e15]";
 
-StyleArguments::StyleArguments(LAMMPS* lmp, const std::string& who, int narg, char** arg, int first,
-                               Wording wording)
-    : Pointers(lmp), who_(who), narg_(narg), arg_(arg), next_(first), wording_(wording) {}
+StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first, const char* kind)
+    : StyleArguments(lmp, std::string(kind) + " " + arg[2] + " (id " + arg[0] + ")", narg, arg,
+                     first) {}
+
+StyleArguments::StyleArguments(LAMMPS* lmp, const std::string& who, int narg, char** arg, int first)
+    : Pointers(lmp), who_(who), narg_(narg), arg_(arg), next_(first) {}
 
 int StyleArguments::find(const std::string& keyword) {
+  int place = -1;
   for (int k = next_; k < narg_; ++k) {
     if (keyword != arg_[k]) continue;
-    next_ = k + 1;
-    return k;
+    if (place >= 0) fail("keyword " + keyword + " is given twice, expected once");
+    place = k;
   }
-  return -1;
+  if (place >= 0) next_ = place + 1;
+  return place;
 }
 
 std::string StyleArguments::word(const std::string& keyword, const std::string& expected) {
   if (more()) return arg_[next_++];
-  if (wording_ == Wording::is) fail(keyword + " needs a value, expected " + expected);
   fail("value of " + keyword + " is missing, expected " + expected);
 }
 
-std::string StyleArguments::new_keyword() {
-  const std::string keyword = word("", "a keyword");
-  if (!keywords_.insert(keyword).second) fail("keyword " + keyword + " is given twice");
+std::string StyleArguments::new_keyword(const std::string& may_repeat) {
+  const std::string keyword = arg_[next_++];
+  if (!keywords_.insert(keyword).second && keyword != may_repeat)
+    fail("keyword " + keyword + " is given twice, expected once");
   return keyword;
 }
 
 void StyleArguments::require(std::initializer_list<const char*> keywords) const {
   for (const char* needed : keywords)
-    if (!given(needed)) fail(std::string("keyword ") + needed + " is missing");
+    if (!given(needed)) fail(std::string("keyword ") + needed + " is missing, expected once");
 }
 
-double StyleArguments::number(const std::string& keyword, const std::string& expected,
-                              bool (*valid)(double)) {
+double StyleArguments::number(const std::string& keyword, const std::string& expected) {
   const std::string text = word(keyword, expected);
   double value = 0.0;
-  if (!read_number(text, value) || !valid(value)) reject(keyword, expected, text);
+  if (!read_number(text, value) || !in_interval(value, expected)) reject(keyword, expected, text);
   return value;
 }
 
-int StyleArguments::integer(const std::string& keyword, const std::string& expected,
-                            bool (*valid)(long)) {
-  const std::string text = word(keyword, expected);
-  long long value = 0;
-  if (!read_integer(text, value) || value > INT_MAX || value < INT_MIN ||
-      !valid(static_cast<long>(value)))
-    reject(keyword, expected, text);
+void StyleArguments::pair(const std::string& keyword, const std::string& expected, double& low,
+                          double& high, bool ascending) {
+  const std::string both = peek() + " " + peek(1);
+  low = number(keyword, "two of " + expected);
+  high = number(keyword, "two of " + expected);
+  if (low > high || (ascending && low == high))
+    reject(keyword, "two of " + expected + ", the lower one first", both);
+}
+
+int StyleArguments::integer(const std::string& keyword, const std::string& expected) {
+  const std::string text = peek();
+  const bigint value = step(keyword, expected);
+  if (value > INT_MAX || value < INT_MIN) reject(keyword, expected, text);
   return static_cast<int>(value);
 }
 
-bigint StyleArguments::step(const std::string& keyword, const std::string& expected,
-                            bool (*valid)(bigint)) {
+bigint StyleArguments::step(const std::string& keyword, const std::string& expected) {
   const std::string text = word(keyword, expected);
   long long value = 0;
   if (!read_integer(text, value) || value > MAXBIGINT || value < -MAXBIGINT ||
-      !valid(static_cast<bigint>(value)))
+      !in_interval(static_cast<double>(value), expected))
     reject(keyword, expected, text);
   return static_cast<bigint>(value);
 }
@@ -104,7 +112,7 @@ int StyleArguments::choice(const std::string& keyword, std::initializer_list<con
 }
 
 void StyleArguments::require_end() const {
-  if (more()) reject_keyword(peek(), "");
+  if (more()) fail("unknown word '" + peek() + "', expected the end of the command");
 }
 
 void StyleArguments::require_group_all(const std::string& what) const {
@@ -117,20 +125,18 @@ void StyleArguments::fail(const std::string& message) const {
 
 void StyleArguments::reject(const std::string& keyword, const std::string& expected,
                             const std::string& value) const {
-  if (wording_ == Wording::is) fail(keyword + " is " + value + ", expected " + expected);
-  fail(keyword + " must be " + expected + ", got '" + value + "'");
+  fail(keyword + " is '" + value + "', expected " + expected);
 }
 
 void StyleArguments::reject_keyword(const std::string& keyword, const std::string& expected) const {
-  const std::string quote = wording_ == Wording::is ? "" : "'";
-  fail("unknown keyword " + quote + keyword + quote +
-       (expected.empty() ? "" : ", expected " + expected));
+  fail("unknown keyword '" + keyword + "', expected " + expected);
 }
 
 bool read_number(const std::string& text, double& value) {
   char* end = nullptr;
   value = std::strtod(text.c_str(), &end);
-  return end != text.c_str() && *end == '\0' && std::isfinite(value);
+  const bool hexadecimal = text.find_first_of("xX") != std::string::npos;
+  return end != text.c_str() && *end == '\0' && std::isfinite(value) && !hexadecimal;
 }
 
 bool read_integer(const std::string& text, long long& value) {
@@ -138,6 +144,20 @@ bool read_integer(const std::string& text, long long& value) {
   errno = 0;
   value = std::strtoll(text.c_str(), &end, 10);
   return end != text.c_str() && *end == '\0' && errno != ERANGE;
+}
+
+bool in_interval(double value, const std::string& text) {
+  for (std::size_t open = text.find_first_of("[("); open != std::string::npos;
+       open = text.find_first_of("[(", open + 1)) {
+    const char *rest = text.c_str() + open + 1, *high_text = std::strchr(rest, ',');
+    char *low_end = nullptr, *high_end = nullptr;
+    const double low = std::strtod(rest, &low_end);
+    if (!high_text || low_end == rest || low_end != high_text) continue;  // "(m)"
+    const double high = std::strtod(high_text + 1, &high_end);
+    return (text[open] == '[' ? value >= low : value > low) &&
+           (*high_end == ']' ? value <= high : value < high);
+  }
+  return true;
 }
 
 }  // namespace LAMMPS_NS

@@ -14,21 +14,17 @@ namespace LAMMPS_NS {
 /// Reads the words of a command one after the other. Whatever is missing or wrong ends the run with
 /// one line that names the command, the keyword, the value and what was expected: LIGGGHTS's own
 /// atof() would read a misspelt number as 0.
+///
+/// What is `expected` of a number is a text with an interval, as "a length (m) in (0, 1e15]": the
+/// number has to lie in it, so that message and check are one. A text without an interval takes
+/// any finite number. The pages of the styles have the same intervals.
 class StyleArguments : protected Pointers {
  public:
-  /// The two ways in which our styles speak of a wrong value.
-  enum class Wording {
-    must_be,  // "KEYWORD must be EXPECTED, got 'VALUE'"
-    is        // "KEYWORD is VALUE, expected EXPECTED"
-  };
-
   /// Words from `arg[first]` on; arg[0] is the id, arg[1] the group, arg[2] the style of the `kind`
   /// of command: "Fix", "Compute" or "Dump".
-  StyleArguments(LAMMPS* lmp, int narg, char** arg, int first = 3, const char* kind = "Fix",
-                 Wording wording = Wording::must_be);
+  StyleArguments(LAMMPS* lmp, int narg, char** arg, int first = 3, const char* kind = "Fix");
   /// Words from `arg[first]` on of another command, which messages call `who`.
-  StyleArguments(LAMMPS* lmp, const std::string& who, int narg, char** arg, int first,
-                 Wording wording = Wording::is);
+  StyleArguments(LAMMPS* lmp, const std::string& who, int narg, char** arg, int first);
 
   bool more() const { return next_ < narg_; }
   /// Number of words that are left.
@@ -38,29 +34,29 @@ class StyleArguments : protected Pointers {
   std::string peek(int further = 0) const { return further < left() ? arg_[next_ + further] : ""; }
 
   /// Moves on to the word behind the next `keyword` and returns the index of the keyword among the
-  /// words of the command; -1, without moving, if it is not there.
+  /// words of the command; -1, without moving, if it is not there. Fails if it is there twice.
   int find(const std::string& keyword);
   /// The next word, the value of `keyword`; `expected` is for the message if there is none.
   std::string word(const std::string& keyword, const std::string& expected);
-  /// The next word, a keyword that must not have been there before.
-  std::string new_keyword();
+  /// The next word, a keyword that must not have been there before, unless it is the one that
+  /// `may_repeat`.
+  std::string new_keyword(const std::string& may_repeat = "");
   /// Whether new_keyword() has read it.
   bool given(const std::string& keyword) const { return keywords_.count(keyword) != 0; }
   /// Fails unless each of them was given.
   void require(std::initializer_list<const char*> keywords) const;
 
-  /// A finite number for which `valid` holds.
-  double number(const std::string& keyword, const std::string& expected,
-                bool (*valid)(double) = any);
-  int integer(const std::string& keyword, const std::string& expected, bool (*valid)(long));
+  double number(const std::string& keyword, const std::string& expected);
+  /// Two numbers of which the second is not below the first, and not equal to it if the pair has to
+  /// be `ascending`.
+  void pair(const std::string& keyword, const std::string& expected, double& low, double& high,
+            bool ascending = false);
+  int integer(const std::string& keyword, const std::string& expected);
   /// An integer as large as a number of steps may be.
-  bigint step(const std::string& keyword, const std::string& expected, bool (*valid)(bigint));
+  bigint step(const std::string& keyword, const std::string& expected);
   bool yes_or_no(const std::string& keyword);
   /// One of these words; returns which, counted from 0.
   int choice(const std::string& keyword, std::initializer_list<const char*> words);
-
-  static bool any(double) { return true; }
-  static bool positive(double value) { return value > 0.0; }
 
   /// Fails unless all words have been read.
   void require_end() const;
@@ -69,10 +65,10 @@ class StyleArguments : protected Pointers {
 
   /// Ends the run on all ranks: "KIND STYLE (id ID): MESSAGE".
   [[noreturn]] void fail(const std::string& message) const;
-  /// Fails with a line on a wrong value, in this object's wording.
+  /// Fails with "KEYWORD is 'VALUE', expected EXPECTED".
   [[noreturn]] void reject(const std::string& keyword, const std::string& expected,
                            const std::string& value) const;
-  /// Fails with "unknown keyword KEYWORD", and what was expected unless that is empty.
+  /// Fails with "unknown keyword 'KEYWORD', expected EXPECTED".
   [[noreturn]] void reject_keyword(const std::string& keyword, const std::string& expected) const;
 
  private:
@@ -80,13 +76,20 @@ class StyleArguments : protected Pointers {
   int narg_;
   char** arg_;
   int next_;
-  Wording wording_;
   std::set<std::string> keywords_;
 };
 
-/// Reads a finite number, or an integer; false unless the text is one from end to end.
+/// What StyleArguments expects of a length that is not 0, and of a place along an axis.
+extern const char* const a_length;
+extern const char* const a_position;
+
+/// Reads a finite decimal number, or an integer; false unless the text is one from end to end.
 bool read_number(const std::string& text, double& value);
 bool read_integer(const std::string& text, long long& value);
+
+/// Whether a value lies in the interval that a text names, "(0, 1e15]" for example: a square
+/// bracket includes its end. True for a text without one; false for a NaN in any interval.
+bool in_interval(double value, const std::string& text);
 
 }  // namespace LAMMPS_NS
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 
@@ -18,11 +17,6 @@ using testing::Not;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 const std::string parameters = R"(parameter seed integer 1 minimum 1
 parameter out text here path
@@ -38,7 +32,7 @@ run 10
 write_restart r.restart
 )"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
-  return contents(run.folder / "r.restart");
+  return text_of(run.folder / "r.restart");
 }
 
 Run read(const std::string& content, const std::string& words = "", const std::string& after = "",

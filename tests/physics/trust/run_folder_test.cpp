@@ -21,11 +21,6 @@ using Vars = std::map<std::string, std::string>;
 
 const std::string deck = "deposition/in.deposition";
 
-std::string contents(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 Vars small(const Vars& changes = {}) {
   Vars vars = {{"particles", "12"},
                {"width_in_lengths", "5"},
@@ -48,7 +43,7 @@ Run with_words(const std::string& words) {
 std::map<std::string, std::string> files_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(folder))
-    files[entry.path().filename().string()] = contents(entry.path());
+    files[entry.path().filename().string()] = text_of(entry.path());
   return files;
 }
 
@@ -91,8 +86,7 @@ TEST(RunFolder, AfterAResumeHoldsEachStepOnceAndTheSameBits) {
   ASSERT_EQ(whole.exit_code, 0) << whole.output;
   const fs::path run = whole.folder / "run";
   const auto dumps = files_of(run / "dumps");
-  const std::string energies = contents(run / "energies.csv"),
-                    result = contents(run / "result.json");
+  const std::string energies = text_of(run / "energies.csv"), result = text_of(run / "result.json");
   ASSERT_GE(dumps.size(), 12u);
 
   std::set<long> steps;
@@ -106,8 +100,8 @@ TEST(RunFolder, AfterAResumeHoldsEachStepOnceAndTheSameBits) {
   const auto resumed = run_liggghts_in(
       whole.folder, deck, small({{"resume", "run/restart/deposition." + middle + ".restart"}}));
   ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
-  EXPECT_EQ(contents(run / "energies.csv"), energies);
-  EXPECT_EQ(contents(run / "result.json"), result);
+  EXPECT_EQ(text_of(run / "energies.csv"), energies);
+  EXPECT_EQ(text_of(run / "result.json"), result);
   const auto after = files_of(run / "dumps");
   EXPECT_EQ(after.size(), dumps.size());
   for (const auto& [name, text] : dumps)
@@ -119,13 +113,13 @@ TEST(RunFolder, ARestartFileOfAnotherRunIsRefused) {
   ASSERT_EQ(one.exit_code, 0) << one.output;
   const auto two = run_liggghts_in(one.folder, deck, small({{"seed", "2"}, {"out", "other"}}));
   ASSERT_EQ(two.exit_code, 0) << two.output;
-  const std::string energies = contents(one.folder / "run/energies.csv");
+  const std::string energies = text_of(one.folder / "run/energies.csv");
   const auto mixed = run_liggghts_in(one.folder, deck,
                                      small({{"resume", "other/restart/deposition.end.restart"}}));
   EXPECT_NE(mixed.exit_code, 0);
   EXPECT_THAT(mixed.output,
               HasSubstr("ERROR: parameter 'seed': expected as in the restart file, 2, got 1"));
-  EXPECT_EQ(contents(one.folder / "run/energies.csv"), energies);
+  EXPECT_EQ(text_of(one.folder / "run/energies.csv"), energies);
   EXPECT_TRUE(fs::exists(one.folder / "run/result.json"));
 }
 

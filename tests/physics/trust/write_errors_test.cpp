@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include "deck.h"
@@ -18,11 +17,6 @@ using testing::Not;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A sphere that moves on its own, and `lines`, then 20 steps and a line that says it was not
 /// stopped.
@@ -66,7 +60,7 @@ TEST(WriteErrors, AFullDiskIsSaidWhateverIsWritten) {
         "print word file /dev/full screen no"}) {
     const auto run = start("PROGRAM", deck(file));
     EXPECT_NE(run.exit_code, 0) << file;
-    for (const std::string& text : {run.output, contents(run.folder / "log.liggghts")}) {
+    for (const std::string& text : {run.output, text_of(run.folder / "log.liggghts")}) {
       EXPECT_THAT(text, HasSubstr("ERROR on proc 0: ")) << file;
       EXPECT_THAT(text, HasSubstr(full)) << file;
       EXPECT_THAT(text, Not(HasSubstr("went on"))) << file;
@@ -82,7 +76,7 @@ TEST(WriteErrors, AFullDiskIsSaidWhateverIsWritten) {
 TEST(WriteErrors, AScreenThatCannotBeWrittenStopsTheRun) {
   const auto disk = start("PROGRAM > /dev/full", deck(""));
   EXPECT_NE(disk.exit_code, 0);
-  EXPECT_THAT(contents(disk.folder / "log.liggghts"),
+  EXPECT_THAT(text_of(disk.folder / "log.liggghts"),
               HasSubstr("Cannot write to the screen: " + full));
   EXPECT_THAT(disk.output, HasSubstr("Cannot write to the screen: " + full));  // its standard error
 
@@ -90,7 +84,7 @@ TEST(WriteErrors, AScreenThatCannotBeWrittenStopsTheRun) {
   const auto pipe = start("{ sleep 0.5; PROGRAM; echo \"status $?\" >&2; } | true", deck(""));
   EXPECT_THAT(pipe.output, HasSubstr("Cannot write to the screen: Broken pipe"));
   EXPECT_THAT(pipe.output, HasSubstr("status 1"));
-  EXPECT_THAT(contents(pipe.folder / "log.liggghts"), Not(HasSubstr("went on")));
+  EXPECT_THAT(text_of(pipe.folder / "log.liggghts"), Not(HasSubstr("went on")));
 }
 
 // gzip is told from a shell: it has a file, not a command line.
@@ -129,15 +123,15 @@ TEST(WriteErrors, AFileThatIsCutOffDoesNotGetItsName) {
   const auto dump = start("ulimit -f 32; PROGRAM > screen.txt",
                           deck(spheres + "dump d all multisphere/sphere 10 s.*.dump"));
   EXPECT_NE(dump.exit_code, 0);
-  EXPECT_THAT(contents(dump.folder / "screen.txt"),
+  EXPECT_THAT(text_of(dump.folder / "screen.txt"),
               HasSubstr("Cannot write dump file s.0.dump: File too large"));
   EXPECT_FALSE(fs::exists(dump.folder / "s.0.dump"));
 
   const auto restart = start("echo before > r.restart; ulimit -f 32; PROGRAM > screen.txt",
                              deck(spheres + "write_restart r.restart"));
   EXPECT_NE(restart.exit_code, 0);
-  EXPECT_THAT(contents(restart.folder / "screen.txt"),
+  EXPECT_THAT(text_of(restart.folder / "screen.txt"),
               HasSubstr("Cannot write restart file r.restart: File too large"));
-  EXPECT_EQ(contents(restart.folder / "r.restart"), "before\n");
+  EXPECT_EQ(text_of(restart.folder / "r.restart"), "before\n");
   EXPECT_FALSE(fs::exists(restart.folder / "r.restart.part"));
 }

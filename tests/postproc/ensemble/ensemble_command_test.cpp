@@ -12,17 +12,13 @@
 namespace {
 using rodpack::test::fresh_folder;
 using rodpack::test::put;
+using rodpack::test::text_of;
 using rodpack::test::write_finished_run;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 auto ensemble_command(const std::string& arguments, const fs::path& folder) {
-  return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' ensemble " + arguments, folder);
-}
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return rodpack::test::run_rodpack("ensemble " + arguments, folder);
 }
 
 TEST(EnsembleCommand, AnalysesWhatIsNotCurrentAndGivesTheSameWhateverTheOrder) {
@@ -33,7 +29,7 @@ TEST(EnsembleCommand, AnalysesWhatIsNotCurrentAndGivesTheSameWhateverTheOrder) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("2 of 2 runs analysed"));
   EXPECT_THAT(run.output, HasSubstr("smooth-AR5: 2 runs"));
-  const auto first = content(folder / "ensemble/ensemble.json");
+  const auto first = text_of(folder / "ensemble/ensemble.json");
   const auto read = rodpack::read_ensemble((folder / "ensemble/ensemble.json").string());
   ASSERT_EQ(read.cases.size(), 1U);
   const auto& one = read.cases[0];
@@ -50,11 +46,11 @@ TEST(EnsembleCommand, AnalysesWhatIsNotCurrentAndGivesTheSameWhateverTheOrder) {
 
   run = ensemble_command(". --jobs 1 --again", folder);
   ASSERT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_EQ(content(folder / "ensemble/ensemble.json"), first);
+  EXPECT_EQ(text_of(folder / "ensemble/ensemble.json"), first);
   run = ensemble_command("r2 r1 r1", folder);
   EXPECT_THAT(run.output, testing::Not(HasSubstr("analysed")))
       << "current analyses were made again";
-  EXPECT_EQ(content(folder / "ensemble/ensemble.json"), first);
+  EXPECT_EQ(text_of(folder / "ensemble/ensemble.json"), first);
 }
 
 TEST(EnsembleCommand, AFailingAnalysisIsNamedAndTheOthersAreMade) {

@@ -12,16 +12,12 @@ using namespace rodpack;
 using rodpack::test::fresh_folder;
 using rodpack::test::put;
 using rodpack::test::SyntheticPacking;
+using rodpack::test::text_of;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 auto rodpack_command(const std::string& arguments, const fs::path& folder) {
-  return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
-}
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return rodpack::test::run_rodpack(arguments, folder);
 }
 
 SyntheticPacking packing_of(double aspect_ratio = 5, unsigned seed = 1) {
@@ -67,7 +63,7 @@ TEST(Frames, ARepeatedOneCountsOnce) {
         rodpack_command(command + " a.dump b.dump copy/a.dump --all-frames -o often", folder);
     ASSERT_EQ(run.exit_code, 0) << run.output;
     EXPECT_THAT(run.output, HasSubstr("passed over: 3 repeated frames\n"));
-    EXPECT_EQ(content(folder / "often.csv"), content(folder / "once.csv"));
+    EXPECT_EQ(text_of(folder / "often.csv"), text_of(folder / "once.csv"));
   }
 }
 

@@ -96,7 +96,7 @@ class InSpace : public testing::Test {
     put(file, out.str());
   }
   rodpack::test::Run run(const std::string& arguments) const {
-    return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder_);
+    return rodpack::test::run_rodpack(arguments, folder_);
   }
   std::filesystem::path folder_ = fresh_folder();
 };
@@ -130,7 +130,7 @@ TEST(PlanarOnly, ContactsWithAFloorBelowThePlaneAreRefusedAndTheirPictureLeftOut
           "1\n";
   put(file, text.str());
   const auto command = [&](const std::string& arguments) {
-    return rodpack::test::run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
+    return rodpack::test::run_rodpack(arguments, folder);
   };
   for (const std::string name : {"stress", "profile"}) {
     const auto run = command(name + " dumps/bodies.2000.dump");

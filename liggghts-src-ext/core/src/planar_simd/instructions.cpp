@@ -59,10 +59,10 @@ PlanarInstructions planar_instructions(const std::string& name) {
                                        PlanarInstructions::avx2, PlanarInstructions::avx512}) {
     if (name != name_of(set)) continue;
     if (available(set)) return set;
-    throw std::invalid_argument("instructions is " + name +
-                                ", which this processor does not support, expected " + expected);
+    throw std::invalid_argument("instructions is '" + name +
+                                "', which this processor does not support, expected " + expected);
   }
-  throw std::invalid_argument("instructions is " + name + ", expected " + expected);
+  throw std::invalid_argument("instructions is '" + name + "', expected " + expected);
 }
 
 PlanarInstructions chosen(PlanarInstructions instructions) {
