@@ -57,7 +57,7 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
   } else if (keyword == "aspect_ratio") {
     options.shape.aspect_ratio = arguments.number(keyword, "a number in [1, 10000]");
   } else if (keyword == "diameter") {
-    options.shape.nominal_diameter = arguments.number(keyword, a_length);
+    options.shape.nominal_diameter = arguments.number(keyword, "a length (m) in [1e-12, 1e6]");
   } else if (keyword == "surface") {
     options.shape.overlap = read_overlap(arguments);
   } else if (keyword == "curvature") {
@@ -67,7 +67,7 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
     options.size_spread = arguments.number(keyword, "a fraction in [0, 1)");
   } else if (keyword == "density") {
     if (arguments.peek() == "constant") arguments.word(keyword, "constant");
-    options.density = arguments.number(keyword, "a density (kg/m^3) in (0, 1e15]");
+    options.density = arguments.number(keyword, "a density (kg/m^3) in [1e-9, 1e9]");
   } else if (keyword == "mass") {
     read_mass(arguments, options);
   } else if (keyword == "follow_drawn_size") {
