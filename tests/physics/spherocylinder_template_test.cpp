@@ -218,7 +218,7 @@ TEST(SpherocylinderTemplate, RefusesWrongInput) {
   const std::string good = "aspect_ratio 5 diameter 0.003 surface smooth density 2500";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"11 type 1 aspect_ratio 10000 diameter 0.003 surface overlap 0.9 density 2500",
-       "aspect_ratio with this surface is '99991 spheres', expected at most 10000 spheres"},
+       "number of primary spheres = 99991: expected at most 10000"},
       {"11 type 1 aspect_ratio 5 diameter 0.003 surface smooth", "keyword density is missing"},
       {"11 type 1 " + good + " atom_type 3", "atom_type is '3', expected at most 2"},
       {"11 type 1 " + good + " mass given 1 1 1 3", "none exceeds the sum of the other two"},

@@ -126,11 +126,6 @@ SpherocylinderOptions read_spherocylinder_options(LAMMPS* lmp, int narg, char** 
       drawn.diameter = options.diameter(draw);
       rodpack::validate(drawn);
     }
-    const int spheres = rodpack::sphere_count(options.shape), most = 10000;
-    if (spheres > most)
-      arguments.reject("aspect_ratio with this surface",
-                       "at most " + std::to_string(most) + " spheres in a chain",
-                       std::to_string(spheres) + " spheres");
   } catch (const std::invalid_argument& problem) {
     arguments.fail(problem.what());
   }

@@ -224,7 +224,7 @@ TEST(ChainGeometry, RefusesWhatIsOutOfRangeAndNamesIt) {
       {{5, d_p, 0.5, 3.2, d_p}, "curvature angle = 3.2: expected 0 to pi rad"},
       {{5, d_p, 0.5, 0, -1}, "primary diameter = -1: expected a length from 1e-12 to 1e6"},
       {{5, d_p, 0.5, 0, 1e308}, "primary diameter = 1e+308: expected a length from 1e-12 to 1e6"},
-      {{1e4, d_p, 0.95, 0, d_p}, "number of primary spheres = 199981: expected at most 100000"},
+      {{1e4, d_p, 0.95, 0, d_p}, "number of primary spheres = 199981: expected at most 10000"},
       {{1.02, d_p, 0.5, 0, 3.15e-3},
        "primary diameter = 0.00315: expected less than the axial length"},
   };

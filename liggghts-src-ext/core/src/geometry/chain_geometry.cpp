@@ -14,7 +14,7 @@ constexpr double pi = 3.14159265358979323846;
 // Lengths outside of these, m, are mistakes; within, no power of them that mass, inertia or area
 // take leaves the range of a double.
 constexpr double shortest = 1e-12, longest = 1e6;
-constexpr int most_spheres = 100000;
+constexpr int most_spheres = 10000;
 
 // Below this angle the arc's height is lost in round-off and the chain is treated as straight.
 constexpr double straight_angle = 1e-12;
@@ -61,7 +61,7 @@ void validate(const ChainShape& shape) {
   require(is_length(shape.diameter), "primary diameter", shape.diameter,
           "a length from 1e-12 to 1e6");
   const int count = chain_count(shape.aspect_ratio, shape.overlap);
-  require(count <= most_spheres, "number of primary spheres", count, "at most 100000");
+  require(count <= most_spheres, "number of primary spheres", count, "at most 10000");
   if (count > 1)
     require(shape.diameter < axial_length(shape), "primary diameter", shape.diameter,
             "less than the axial length");
