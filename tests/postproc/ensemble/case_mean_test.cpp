@@ -235,8 +235,13 @@ TEST(CaseMean, MapsAreInterpolatedAtTheRowsOfTheHighestBed) {
   EXPECT_NEAR(field.solid_fraction[2].sem.value(), 0.75, 1e-12);
   EXPECT_EQ(field.solid_fraction[6].n, 1) << "beyond the grid of the lower bed";
   EXPECT_NEAR(field.pressure[2].mean, 2, 1e-12);
-  put(folder / "seed-2/analysis/fields.csv", "x_m,y_m,solid_fraction\n0,0,1\n0,1,1\n");
+  const auto second = folder / "seed-2/analysis/fields.csv";
+  put(second, "x_m,y_m,solid_fraction\n0,0,1\n0,1,1\n");
   EXPECT_THROW(mean_field(one), DataError);
+  put(second, "x_m,y_m,solid_fraction\n0,0,1\n1.002,0,1\n0,1,1\n1.002,1,1\n");
+  EXPECT_THROW(mean_field(one), DataError) << "columns a five-hundredth of their distance away";
+  put(second, "x_m,y_m,solid_fraction\n0,0,1\n1.0005,0,1\n0,1,1\n1.0005,1,1\n");
+  EXPECT_NO_THROW(mean_field(one)) << "columns with fewer digits";
 }
 
 TEST(RunAnalysis, SaysWhyItIsNotCurrent) {
