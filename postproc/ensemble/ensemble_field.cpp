@@ -49,8 +49,8 @@ std::optional<RunField> read_field(const FinishedRun& run) {
   return field;
 }
 
-// Places that a packed run (inputs/study/archive.py) has with six digits are the same as whole ones: a
-// thousandth of the columns' distance is nothing on a map.
+// Places that a packed run (inputs/study/archive.py) has with six digits are the same as whole
+// ones: a thousandth of the columns' distance is nothing on a map.
 void refuse_other_columns(const RunField& field, const RunField& reference) {
   const auto& x = reference.x;
   const double spacing = (x.back() - x.front()) / std::max(1.0, static_cast<double>(x.size()) - 1);
