@@ -283,7 +283,8 @@ TEST(PlanarScene, InstructionsAreKnownByName) {
     planar_instructions("sse9");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("instructions is sse9, expected auto, baseline"));
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("instructions is 'sse9', expected auto, baseline"));
   }
 }
 
