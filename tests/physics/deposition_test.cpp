@@ -228,7 +228,7 @@ TEST(Deposition, RefusesWrongParameters) {
       {{{"aspect_ratio", "0.5"}}, "parameter 'aspect_ratio': expected minimum 1, got 0.5"},
       {{{"surface", "rough"}}, "parameter 'surface': value 'rough' is none of:"},
       {{{"surface", "coarse"}, {"overlap", "0.3"}}, "got 0.3 with surface coarse"},
-      {{{"drop_height", "0.115"}}, "y must leave room for particles of template particles"},
+      {{{"drop_height", "0.115"}}, "expected room for particles of template particles"},
       {{{"curvature", "200"}}, "parameter 'curvature': expected maximum 180, got 200"},
       {{{"size_spread", "1"}}, "parameter 'size_spread': expected below 1, got 1"},
       {{{"timestep", "0"}}, "parameter 'timestep': expected above 0, got 0"},

@@ -214,5 +214,5 @@ TEST(StockMends, UnitsOfTheDeckAreSaidOrRefused) {
                     .output,
                 HasSubstr("named with units of SI: the deck's units are cgs, expected si"));
   EXPECT_THAT(run_liggghts(deck("compute o all contact/overlap")).output,
-              HasSubstr("the largest overlap allowed (cm)"));
+              HasSubstr("expected a length (cm) in (0, 1e15]"));
 }
