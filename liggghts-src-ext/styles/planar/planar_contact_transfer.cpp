@@ -73,6 +73,9 @@ bool has_known_models(Style* style) {
 const char* const needed_models =
     "'model spring_dashpot tangential spring_dashpot' alone, without other models";
 
+// The number of values tells the caps apart: another multistepOrder takes three more or less.
+static_assert(rodpack::stored_cap_values % 3 != 0, "taken for another multistepOrder");
+
 /// Whether the models keep the values of totalForceCap, too, of which the engine knows nothing.
 bool has_total_cap(int values) {
   for (int slots = 1; slots <= rodpack::max_multistep_order; ++slots)

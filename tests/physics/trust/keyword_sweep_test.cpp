@@ -18,6 +18,7 @@
 
 #include "deck.h"
 #include "liggghts_run.h"
+#include "refusals.h"
 #include "programs/run_program.h"
 
 namespace {
@@ -322,29 +323,13 @@ std::string joined(const Words& words) {
   return text;
 }
 
-struct Count {
-  int clear = 0, unclear = 0, accepted = 0, crash = 0;
-};
+using rodpack::test::Refusals;
 
-// Counts an answer. Clear is one line that names what speaks and all that it has to say.
-void judge(const Answer& answer, const Words& says, const std::string& what, Count& count) {
-  if (answer.exit_code == 0) {
-    ++count.accepted;
-    ADD_FAILURE() << "accepted: " << what;
-    return;
-  }
-  if (answer.exit_code > 2) {
-    ++count.crash;
-    ADD_FAILURE() << "crash, exit code " << answer.exit_code << ": " << what;
-    return;
-  }
+// The lines that begin with ERROR are the refusal.
+void judge(const Answer& answer, const Words& says, const std::string& what, Refusals& refusals) {
   const Words errors = errors_of(answer.text);
-  bool clear = errors.size() == 1;
-  for (const auto& each : says) clear = clear && errors[0].find(each) != std::string::npos;
-  ++(clear ? count.clear : count.unclear);
-  EXPECT_TRUE(clear) << "unclear: " << what << ": "
-                     << (errors.empty() ? answer.text : joined(errors))
-                     << "\nexpected one line with: " << joined(says);
+  refusals.judge(answer.exit_code, errors, says, what,
+                 errors.empty() ? answer.text : joined(errors));
 }
 
 class KeywordSweep : public testing::TestWithParam<Scene> {
@@ -354,12 +339,9 @@ class KeywordSweep : public testing::TestWithParam<Scene> {
     const rlimit memory = {rlim_t(4) << 30, rlim_t(4) << 30};
     ASSERT_EQ(setrlimit(RLIMIT_AS, &memory), 0);
   }
-  void TearDown() override {
-    std::cout << GetParam().page << ": clear " << count.clear << ", unclear " << count.unclear
-              << ", accepted wrongly " << count.accepted << ", crash " << count.crash << '\n';
-  }
+  void TearDown() override { std::cout << GetParam().page << ": " << count << '\n'; }
 
-  Count count;
+  Refusals count;
 };
 
 TEST_P(KeywordSweep, EveryWrongValueIsRefusedWithALineThatNamesArgumentValueAndExpectation) {
@@ -392,7 +374,7 @@ INSTANTIATE_TEST_SUITE_P(Of, KeywordSweep, testing::ValuesIn(scenes()),
 TEST(KeywordSweepOfTheContactLaw, EveryWrongPropertyIsRefused) {
   const Page page = read_page(pages / "gran_model_spring_dashpot.md");
   const std::string right = sphere() + "fix move all nve/sphere\n";
-  Count count;
+  Refusals count;
   for (const Argument& argument : page.arguments) {
     const std::regex line("(fix \\S+ all property/global " + argument.name +
                           " peratomtypepair 1 )\\S+\n");

@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "liggghts_run.h"
+#include "refusals.h"
 #include "programs/run_program.h"
 #include "../synthetic_packing.h"
 
@@ -109,25 +110,14 @@ std::string for_message(std::string value) {
   return value;
 }
 
-struct Count {
-  int clear = 0, unclear = 0, accepted = 0, crash = 0;
-};
+using rodpack::test::Refusals;
 
-// Counts an answer. Clear is one line that names the option, the value and what was expected.
+// The refusal is all that the program says, and begins with its name.
 void judge(const Answer& answer, const std::vector<std::string>& has, const std::string& what,
-           Count& count) {
-  if (answer.exit_code == 0) {
-    ++count.accepted;
-    ADD_FAILURE() << "accepted: " << what;
-  } else if (answer.exit_code > 2) {
-    ++count.crash;
-    ADD_FAILURE() << "crash, exit code " << answer.exit_code << ": " << what;
-  } else {
-    bool clear = lines_of(answer.text).size() == 1 && answer.text.rfind("rodpack: ", 0) == 0;
-    for (const auto& each : has) clear = clear && answer.text.find(each) != std::string::npos;
-    ++(clear ? count.clear : count.unclear);
-    EXPECT_TRUE(clear) << "unclear: " << what << ": " << answer.text;
-  }
+           Refusals& refusals) {
+  auto lines = lines_of(answer.text);
+  if (answer.text.rfind("rodpack: ", 0) != 0) lines.clear();
+  refusals.judge(answer.exit_code, lines, has, what, answer.text);
 }
 
 class OptionSweep : public testing::TestWithParam<const char*> {};
@@ -141,7 +131,7 @@ TEST_P(OptionSweep, EveryWrongValueIsRefusedWithALineThatNamesOptionValueAndExpe
   const bool dumps =
       rodpack({subcommand, "--help"}, folder).text.find("dumps FILE") != std::string::npos;
   const std::string object = dumps ? "file" : "folder";
-  Count count;
+  Refusals count;
   const auto options = options_of(subcommand, folder);
   for (const auto& option : options) {
     if (option.takes.empty()) {
@@ -171,9 +161,7 @@ TEST_P(OptionSweep, EveryWrongValueIsRefusedWithALineThatNamesOptionValueAndExpe
   judge(rodpack({subcommand, ""}, folder), {"expected"}, "an empty name", count);
   judge(rodpack({subcommand}, folder), {}, "no name", count);
   if (dumps) judge(rodpack({subcommand, "nowhere"}, folder), {"nowhere"}, "nowhere", count);
-  std::cout << subcommand << ": " << options.size() << " options; clear " << count.clear
-            << ", unclear " << count.unclear << ", accepted wrongly " << count.accepted
-            << ", crash " << count.crash << '\n';
+  std::cout << subcommand << ": " << options.size() << " options; " << count << '\n';
   EXPECT_GT(count.clear, 2);
   // Nothing was written beside what was there.
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 3);

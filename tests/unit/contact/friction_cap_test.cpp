@@ -58,10 +58,7 @@ struct Friction {
 
 void expect_change(const ForceChange& change, double now, double rate, double impulse,
                    double integral) {
-  EXPECT_NEAR(change.now[0], now, 1e-9 * std::fabs(now));
-  EXPECT_NEAR(change.rate[0], rate, 1e-9 * std::fabs(rate));
-  EXPECT_NEAR(change.impulse[0], impulse, 1e-9 * std::fabs(impulse));
-  EXPECT_NEAR(change.impulse_integral[0], integral, 1e-9 * std::fabs(integral));
+  expect_component(change, 0, 1e-9, now, rate, impulse, integral);
   for (int d : {1, 2}) EXPECT_EQ(change.now[d], 0);
 }
 

@@ -28,10 +28,7 @@ double force_of(const SampleContact& contact) {
 /// The normal is y; nothing may happen along x and z.
 void expect_change(const ForceChange& change, double now, double rate, double impulse,
                    double integral) {
-  EXPECT_NEAR(change.now[1], now, 1e-12 * std::fabs(now));
-  EXPECT_NEAR(change.rate[1], rate, 1e-12 * std::fabs(rate));
-  EXPECT_NEAR(change.impulse[1], impulse, 1e-12 * std::fabs(impulse));
-  EXPECT_NEAR(change.impulse_integral[1], integral, 1e-12 * std::fabs(integral));
+  expect_component(change, 1, 1e-12, now, rate, impulse, integral);
   for (int d : {0, 2}) {
     EXPECT_EQ(change.now[d], 0);
     EXPECT_EQ(change.impulse[d], 0);

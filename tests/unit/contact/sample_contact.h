@@ -4,6 +4,8 @@
 #ifndef RODPACK_TESTS_CONTACT_SAMPLE_CONTACT_H
 #define RODPACK_TESTS_CONTACT_SAMPLE_CONTACT_H
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <vector>
 
@@ -62,6 +64,15 @@ struct RecordedEvents {
     return moved;
   }
 };
+
+/// A change has this component along `axis`, to the relative error.
+inline void expect_component(const ForceChange& change, int axis, double error, double now,
+                             double rate, double impulse, double integral) {
+  EXPECT_NEAR(change.now[axis], now, error * std::fabs(now));
+  EXPECT_NEAR(change.rate[axis], rate, error * std::fabs(rate));
+  EXPECT_NEAR(change.impulse[axis], impulse, error * std::fabs(impulse));
+  EXPECT_NEAR(change.impulse_integral[axis], integral, error * std::fabs(integral));
+}
 
 }  // namespace rodpack
 
