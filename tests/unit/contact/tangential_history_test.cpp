@@ -218,6 +218,23 @@ TEST(TangentialHistory, StickBeginsAtTheStandstill) {
   EXPECT_NEAR(change.impulse[0], exact, 1.01 * kt * a * s * s * s / 6);
 }
 
+// While it slid, the overlap was d - w t + g t^2 / 2, t seconds ago, and the cap mu k_n times that:
+// the spring that stays is what carried the cap at the standstill, which is found from the spring of
+// one step ago, overlap and closing speed of now. With the cap's rate alone it would be short by
+// mu k_n g s^2 / 2.
+TEST(TangentialHistory, StickKeepsTheSpringOfACurvedCap) {
+  const double a = 2000, d = 1e-4, w = 0.4, g = 3e5, s = 0.6 * dt;
+  const auto overlap = [&](double t) { return d - w * t + g * t * t / 2; };
+  const auto v = [&](int k) { return -a * (s - k * dt); };
+  TangentialHistory history = history_of(friction * overlap(dt) / kt, v(1), v(2), v(3));
+  history.sliding = true;
+  RecordedEvents told;
+  evaluate(sheared(d, v(0), -w), history, told);
+  EXPECT_FALSE(history.sliding);
+  const double at_standstill = friction * overlap(s) / kt;
+  EXPECT_NEAR(history.spring[0], at_standstill - a * s * s / 2, 1e-12 * at_standstill);
+}
+
 // Jumps of the bodies move the surface along by x, and its velocities of the past by v - k dt a: as
 // if they had been known of. What they do along the normal has no part in it.
 TEST(TangentialHistory, SpringAndPastFollowJumpsOfTheBodies) {

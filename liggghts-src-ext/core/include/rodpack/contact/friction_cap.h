@@ -19,6 +19,7 @@ namespace rodpack {
 //   damped: whether the dashpot of the normal force is in it;
 //   friction: the constant that is kept for the contact's end;
 //   renew(...): a new step begins; then now(contact) and rate(contact, dt), N and N/s;
+//   before(carried): the cap one step ago in a slide, whose spring carried so much then, N;
 //   slides_from_touch(contact): whether a contact that has just touched slid at once, in the limit
 //     of small steps, although it may fit under the cap by now;
 //   acted_before(): whether there was a normal force one step ago; if not, since_return(dt) is the
@@ -51,6 +52,7 @@ struct ElasticCap {
   double rate(const Contact& contact, double) const {
     return coulomb_cap(friction, -contact.vn);
   }
+  double before(double carried) const { return carried; }
   /// The cap is 0 at touch, so that there is nothing to weigh: the forces of now decide.
   template <class Contact>
   bool slides_from_touch(const Contact&) const {
@@ -131,8 +133,10 @@ class TotalCap {
   }
   template <class Contact>
   double rate(const Contact& contact, double dt) const {
-    return (now(contact) - coulomb_cap(friction, std::max(0.0, before_))) / dt;
+    return (now(contact) - before(0.0)) / dt;
   }
+  /// What the spring carried did not know of the last jump of the dashpot.
+  double before(double) const { return coulomb_cap(friction, std::max(0.0, before_)); }
   /// At touch there are the forces of both dashpots alone.
   template <class Contact>
   bool slides_from_touch(const Contact& contact) const {

@@ -22,6 +22,7 @@ namespace rodpack {
 struct FrictionStep {
   double stiffness, damping;  // N/m, kg/s; damping > 0
   double cap, cap_rate;       // of friction_cap.h, N, and its rate, N/s
+  double cap_before;          // one step ago, N; of a slide
   double dt;
   double velocity[3][3];    // now, one and two steps ago, m/s
   int known;                // how many of these, 2 or 3
@@ -66,6 +67,15 @@ inline double excess_before(const FrictionStep& step, double cap) {
   return std::sqrt(dot(before, before)) - (cap - step.dt * step.cap_rate);
 }
 
+/// The cap `since` seconds ago (N). In a slide, whose cap one step ago is known, of the quadratic
+/// that meets it there and the cap of now with its rate: a contact that sticks keeps the spring that
+/// carried the cap then, and with a linear cap would keep an error of O(dt^2).
+inline double cap_at(const FrictionStep& step, double since) {
+  const double share = since / step.dt;
+  const double bend = step.slid ? step.cap_before - (step.cap - step.dt * step.cap_rate) : 0.0;
+  return std::max(0.0, step.cap - since * step.cap_rate + share * share * bend);
+}
+
 /// The contact slides, or goes on to. `stuck`: the force if it did not, of magnitude `trial`.
 inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], double trial,
                            double cap, double (&spring)[3]) {
@@ -102,7 +112,7 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
     const double below = excess_before(step, cap);
     result.since = below < 0.0 ? time_since_zero(below, trial - cap, step.dt) : 0.0;
   }
-  const double at_change = std::max(0.0, step.cap - result.since * step.cap_rate);
+  const double at_change = cap_at(step, result.since);
   const double share = result.since / step.dt;
   for (int d = 0; d < 3; ++d) {
     const double then = (1.0 - share) * step.velocity[0][d] + share * step.velocity[1][d];
