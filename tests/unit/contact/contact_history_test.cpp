@@ -27,16 +27,18 @@ TEST(ContactHistory, NormalOneIsStoredInFourDoubles) {
   EXPECT_EQ(back.next_step, history.next_step);
 }
 
-TEST(ContactHistory, ThatOfTheTotalCapIsStoredInFiveDoubles) {
+TEST(ContactHistory, ThatOfTheTotalCapIsStoredInSevenDoubles) {
   CapHistory history;
   history.normal.viscoelastic = -0.25;
   history.normal.touch_rate = 3e4;
   history.normal.just_touched = true;
   history.stiffness = 1000;
   history.damping = 0.4;
+  history.earlier = -0.5;
+  history.has_earlier = true;
   std::vector<double> stored(stored_cap_values, NAN);
   pack(history, stored.data());
-  EXPECT_THAT(stored, testing::ElementsAre(-0.25, 3e4, 1.0, 1000, 0.4));
+  EXPECT_THAT(stored, testing::ElementsAre(-0.25, 3e4, 1.0, 1000, 0.4, -0.5, 1.0));
   std::vector<double> again(stored_cap_values, NAN);
   pack(unpack_cap(stored.data()), again.data());
   EXPECT_EQ(again, stored);

@@ -80,7 +80,7 @@ TEST(TotalCap, IsThatOfTheWholeNormalForce) {
   }
 }
 
-// Its rate is that between two evaluations, which is right for any force that is linear in time.
+// Of two evaluations its rate is their difference, right for any force that is linear in time.
 TEST(TotalCap, HasTheRateOfTheNormalForce) {
   const SampleContact contact = on_the_move(2e-5, 1, -0.03);
   const double now = k * 2e-5 + c * 0.03;
@@ -218,6 +218,32 @@ TEST(TotalCap, ASlideFeelsWhatTheNormalDashpotFeels) {
   expect_change(friction.told.events[0].on_i, share * (v + a * dt), share * a,
                 share * (x + v * dt + a * dt * dt / 2),
                 share * (x * dt + v * dt * dt / 2 + a * dt * dt * dt / 6));
+}
+
+// With a force two evaluations ago as well: of the parabola through all three, which is right for
+// any force that is quadratic in time; a cut-off force is on no parabola. A jump of the bodies'
+// velocity and acceleration has changed what the dashpot would have been.
+TEST(TotalCap, HasTheCurvatureOfTheNormalForce) {
+  const double r = 800, g = -6e7, overlap = 1e-4, now = k * overlap + c * 0.03;
+  const SampleContact contact = on_the_move(overlap, 1, -0.03);
+  const auto force = [&](double t) { return now - r * t + g * t * t / 2; };
+  for (const bool cut : {false, true})
+    for (const bool jumps : {false, true}) {
+      RecordedEvents told;
+      told.moved = jumps;
+      told.jump = {{0, 70, 0}, {0, 2e-3, 0}, {0, 0, 0}};
+      const double unseen = jumps ? c : 0;  // times the velocity that the past did not know of
+      CapHistory history;
+      history.normal.viscoelastic = force(dt) + unseen * 2e-3;
+      history.earlier = cut ? -0.01 : force(2 * dt) + unseen * (2e-3 - 70 * dt);
+      history.has_earlier = true;
+      TotalCap cap(mu, now, history);
+      cap.renew(contact, true, dt, static_cast<const RecordedEvents*>(&told));
+      const double chord = (now - force(dt)) / dt;
+      EXPECT_NEAR(cap.rate(contact, dt), mu * (cut ? chord : r), 1e-9 * mu * r);
+      EXPECT_NEAR(cap.curvature(contact, true, 0, dt), cut ? 0 : mu * g, 1e-7 * mu * std::fabs(g));
+      EXPECT_NEAR(history.earlier, force(dt), 1e-12);
+    }
 }
 
 // A slide at the speed -A t stands still s before the end of the step, under a normal force that

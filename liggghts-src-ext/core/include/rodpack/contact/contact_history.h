@@ -52,6 +52,9 @@ struct TangentialHistory {
 /// What a contact remembers for a cap of friction that has the dashpot of the normal force in it.
 struct CapHistory {
   NormalHistory normal;
+  /// The force of spring and dashpot one evaluation before the last, N, if there was one.
+  double earlier = 0.0;
+  bool has_earlier = false;
   /// Constants of the normal force, for the contact's end: k_n (N/m), dashpot (kg/s).
   double stiffness = 0.0, damping = 0.0;
 };
@@ -60,7 +63,7 @@ struct CapHistory {
 constexpr int stored_normal_values = 4;
 constexpr int stored_tangential_values(int slots) { return 3 * (slots + 1) + 6; }
 /// The step in it is not stored, which the tangential history knows.
-constexpr int stored_cap_values = 5;
+constexpr int stored_cap_values = 7;
 /// How many doubles the first two take, the normal one first.
 constexpr int stored_history_values(int slots) {
   return stored_normal_values + stored_tangential_values(slots);
@@ -117,6 +120,8 @@ inline CapHistory unpack_cap(const double* stored) {
   history.normal.just_touched = stored[2] != 0.0;
   history.stiffness = stored[3];
   history.damping = stored[4];
+  history.earlier = stored[5];
+  history.has_earlier = stored[6] != 0.0;
   return history;
 }
 
@@ -126,6 +131,8 @@ inline void pack(const CapHistory& history, double* stored) {
   stored[2] = history.normal.just_touched ? 1.0 : 0.0;
   stored[3] = history.stiffness;
   stored[4] = history.damping;
+  stored[5] = history.earlier;
+  stored[6] = history.has_earlier ? 1.0 : 0.0;
 }
 
 }  // namespace rodpack

@@ -18,8 +18,9 @@ namespace rodpack {
 // it. What tangential_history.h asks of either:
 //   damped: whether the dashpot of the normal force is in it;
 //   friction: the constant that is kept for the contact's end;
-//   renew(...): a new step begins; then now(contact) and rate(contact, dt), N and N/s;
-//   before(carried): the cap one step ago in a slide, whose spring carried so much then, N;
+//   renew(...): a new step begins; then now(contact) and rate(contact, dt), N and N/s, and
+//   curvature(contact, slid, carried, dt), N/s^2, 0 where it is not known: whether the contact slid
+//     one step ago, and the force that its spring carried then, N;
 //   slides_from_touch(contact): whether a contact that has just touched slid at once, in the limit
 //     of small steps, although it may fit under the cap by now;
 //   acted_before(): whether there was a normal force one step ago; if not, since_return(dt) is the
@@ -52,7 +53,12 @@ struct ElasticCap {
   double rate(const Contact& contact, double) const {
     return coulomb_cap(friction, -contact.vn);
   }
-  double before(double carried) const { return carried; }
+  /// Of the parabola that meets the cap and its rate now, and one step ago what the spring of a
+  /// slide carried: the cap.
+  template <class Contact>
+  double curvature(const Contact& contact, bool slid, double carried, double dt) const {
+    return slid ? 2.0 * (carried - now(contact) + dt * rate(contact, dt)) / (dt * dt) : 0.0;
+  }
   /// The cap is 0 at touch, so that there is nothing to weigh: the forces of now decide.
   template <class Contact>
   bool slides_from_touch(const Contact&) const {
@@ -116,11 +122,18 @@ class TotalCap {
   void renew(const Contact& contact, bool alive, double dt, const Events* followed) {
     changes_ = NormalChanges();
     before_ = alive ? history_->normal.viscoelastic : 0.0;
+    earlier_ = history_->earlier;
     if (alive && followed && followed->motion_changed(contact, changes_.jump)) {
       changes_.moved = true;
-      before_ =
-          viscoelastic_before(before_, contact.gamman, dot(changes_.jump.velocity, contact.en));
+      const ContactJumpComponent jump = component(changes_.jump, contact.en);
+      before_ = viscoelastic_before(before_, contact.gamman, jump.velocity);
+      earlier_ =
+          viscoelastic_before(earlier_, contact.gamman, jump.velocity - dt * jump.acceleration);
     }
+    three_ =
+        alive && history_->has_earlier && viscoelastic_ > 0.0 && before_ > 0.0 && earlier_ > 0.0;
+    history_->earlier = before_;
+    history_->has_earlier = alive;
     follow_normal_force(contact, history_->normal, viscoelastic_, alive, dt,
                         followed ? &changes_ : nullptr);
     history_->stiffness = contact.kn;
@@ -131,12 +144,17 @@ class TotalCap {
   double now(const Contact&) const {
     return coulomb_cap(friction, std::max(0.0, viscoelastic_));
   }
+  /// Of the parabola through its last three values, where there are three; else their difference.
   template <class Contact>
   double rate(const Contact& contact, double dt) const {
-    return (now(contact) - before(0.0)) / dt;
+    return (now(contact) - coulomb_cap(friction, std::max(0.0, before_))) / dt +
+           0.5 * dt * curvature(contact, false, 0.0, dt);
   }
-  /// What the spring carried did not know of the last jump of the dashpot.
-  double before(double) const { return coulomb_cap(friction, std::max(0.0, before_)); }
+  template <class Contact>
+  double curvature(const Contact&, bool, double, double dt) const {
+    return three_ ? coulomb_cap(friction, viscoelastic_ - 2.0 * before_ + earlier_) / (dt * dt)
+                  : 0.0;
+  }
   /// At touch there are the forces of both dashpots alone.
   template <class Contact>
   bool slides_from_touch(const Contact& contact) const {
@@ -175,7 +193,8 @@ class TotalCap {
     events.add(contact, change_along(contact, change, direction), changes.jumps);
   }
 
-  double viscoelastic_, before_ = 0.0;  // now and one step ago, N
+  double viscoelastic_, before_ = 0.0, earlier_ = 0.0;  // now, one and two steps ago, N
+  bool three_ = false;  // whether all of them are known, and above 0
   NormalChanges changes_;
   CapHistory* history_;
 };

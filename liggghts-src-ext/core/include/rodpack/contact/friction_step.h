@@ -21,8 +21,9 @@ namespace rodpack {
 /// A contact at the end of a step; vectors lie in its present plane. SI units.
 struct FrictionStep {
   double stiffness, damping;  // N/m, kg/s; damping > 0
-  double cap, cap_rate;       // of friction_cap.h, N, and its rate, N/s
-  double cap_before;          // one step ago, N; of a slide
+  double cap;                 // of friction_cap.h, N,
+  double cap_rate;            // N/s,
+  double cap_curvature;       // and N/s^2; 0 where it is not known
   double dt;
   double velocity[3][3];    // now, one and two steps ago, m/s
   int known;                // how many of these, 2 or 3
@@ -57,23 +58,19 @@ inline void stuck_force(const FrictionStep& step, const double (&spring)[3], dou
     force[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
 }
 
-/// The excess of the force of spring and dashpot over the cap one step ago (N); `cap` is that of
-/// now.
-inline double excess_before(const FrictionStep& step, double cap) {
+/// The cap `since` seconds ago, N. A contact that sticks keeps the spring that carried the cap
+/// then, so that without the curvature it would keep an error of O(dt^2).
+inline double cap_at(const FrictionStep& step, double since) {
+  return std::max(0.0, step.cap - since * (step.cap_rate - 0.5 * since * step.cap_curvature));
+}
+
+/// The excess of the force of spring and dashpot over the cap one step ago, N.
+inline double excess_before(const FrictionStep& step) {
   double before[3];
   for (int d = 0; d < 3; ++d)
     before[d] =
         trial_force(step.stiffness, step.spring_before[d], step.damping, step.velocity[1][d]);
-  return std::sqrt(dot(before, before)) - (cap - step.dt * step.cap_rate);
-}
-
-/// The cap `since` seconds ago (N). In a slide, whose cap one step ago is known, of the quadratic
-/// that meets it there and the cap of now with its rate: a contact that sticks keeps the spring that
-/// carried the cap then, and with a linear cap would keep an error of O(dt^2).
-inline double cap_at(const FrictionStep& step, double since) {
-  const double share = since / step.dt;
-  const double bend = step.slid ? step.cap_before - (step.cap - step.dt * step.cap_rate) : 0.0;
-  return std::max(0.0, step.cap - since * step.cap_rate + share * share * bend);
+  return std::sqrt(dot(before, before)) - cap_at(step, step.dt);
 }
 
 /// The contact slides, or goes on to. `stuck`: the force if it did not, of magnitude `trial`.
@@ -86,7 +83,7 @@ inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], d
     spring[d] = carrying_spring(result.force[d], step.stiffness);
   }
   if (step.slid) return result;
-  const double below = excess_before(step, cap), beyond = trial - cap;
+  const double below = excess_before(step), beyond = trial - cap;
   result.changed = below < 0.0 && beyond > 0.0;
   if (!result.changed) return result;
   result.since = time_since_zero(below, beyond, step.dt);
@@ -109,7 +106,7 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
   if (stands) {
     result.since = time_since_standstill(slip, step.known, step.dt);
   } else {
-    const double below = excess_before(step, cap);
+    const double below = excess_before(step);
     result.since = below < 0.0 ? time_since_zero(below, trial - cap, step.dt) : 0.0;
   }
   const double at_change = cap_at(step, result.since);

@@ -193,7 +193,8 @@ FrictionForce follow_through_step(const Contact& contact, const TangentialPast& 
   step.damping = contact.gammat;
   step.cap = cap.now(contact);
   step.cap_rate = cap.rate(contact, dt);
-  step.cap_before = cap.before(contact.kt * std::sqrt(dot(past.spring, past.spring)));
+  const double carried = contact.kt * std::sqrt(dot(past.spring, past.spring));
+  step.cap_curvature = cap.curvature(contact, past.sliding, carried, dt);
   step.dt = dt;
   step.known = past.known;
   step.slid = past.sliding;
