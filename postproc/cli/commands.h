@@ -20,6 +20,7 @@ void add_ensemble(CLI::App& app);
 void add_report(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_accuracy(CLI::App& app);
+void add_timestep(CLI::App& app);
 
 }  // namespace rodpack::cli
 

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   cli::add_ensemble(app);
   cli::add_compare(app);
   cli::add_accuracy(app);
+  cli::add_timestep(app);
 
   try {
     app.parse(argc, argv);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* subcommands[] = {"analyse",  "report",  "orientation",    "rdf",     "forces",
                                        "render",   "stress",  "solid-fraction", "profile", "export",
-                                       "ensemble", "compare", "accuracy"};
+                                       "ensemble", "compare", "accuracy",       "timestep"};
 
 struct Answer {
   int exit_code;

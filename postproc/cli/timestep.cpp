@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "cli/checks.h"
+#include "cli/commands.h"
+#include "figures/figure.h"
+#include "reading/data_error.h"
+#include "reading/number_text.h"
+#include "reading/text_file.h"
+#include "timestep/advice.h"
+#include "timestep/run_network.h"
+
+namespace rodpack::cli {
+namespace {
+
+struct TimestepArguments {
+  std::string run, stem;
+  Collision collision;
+  double error = 1e-3, speed = 0;
+  int contacts = 1;
+};
+
+std::string short_number(double value) { return number_text(value, 3); }
+
+void print_table(const std::vector<TimestepAdvice>& all, const TimestepAdvice* best, double error) {
+  std::cout << "method   stable below  time step  steps per  error    steps per     held by\n"
+               "         s             s          collision           simulated s\n";
+  for (const TimestepAdvice& each : all) {
+    char line[200];
+    if (each.timestep > 0)
+      std::snprintf(line, sizeof line, "%-8s %-13s %-10s %-10s %-8s %-13s %s%s\n",
+                    each.integrator.name.c_str(), short_number(each.limit).c_str(),
+                    short_number(each.timestep).c_str(),
+                    short_number(each.steps_per_collision).c_str(),
+                    short_number(each.error).c_str(), short_number(1 / each.timestep).c_str(),
+                    each.held_by_stability ? "stability" : "error",
+                    &each == best ? "   <- fewest steps" : "");
+    else
+      std::snprintf(line, sizeof line, "%-8s %-13s %s\n", each.integrator.name.c_str(),
+                    short_number(each.limit).c_str(),
+                    each.fewest_steps ? "unstable at any step"
+                                      : ("error above " + short_number(error) + " with " +
+                                         short_number(most_steps) + " steps per collision, too")
+                                            .c_str());
+    std::cout << line;
+  }
+}
+
+void write_chart(const Collision& collision, const std::string& stem) {
+  std::ostringstream table;
+  table << "method,steps_per_collision,error\n";
+  std::string data, plot;
+  const char* const colours[] = {colour::grey, "#56B4E9", colour::blue, colour::vermilion};
+  for (std::size_t k = 0; k < integrators().size(); ++k) {
+    const Integrator& integrator = integrators()[k];
+    std::vector<std::vector<double>> columns(2);
+    for (const ErrorAtStep& at : error_chart(integrator, collision.damping_ratio)) {
+      if (!(at.error < 1)) continue;  // beyond the limit of stability
+      table << integrator.name << ',' << number_text(at.steps_per_collision) << ','
+            << number_text(at.error, 4) << '\n';
+      columns[0].push_back(at.steps_per_collision);
+      columns[1].push_back(at.error);
+    }
+    data += datablock(integrator.name, columns);
+    plot += std::string(k > 0 ? ", " : "plot ") + "$" + integrator.name +
+            " with lines linewidth 2 linecolor rgb '" + colours[k] + "'" +
+            (k == 0 ? " dashtype 2" : "") + " title '" + integrator.name + "'";
+  }
+  write_text(stem + ".csv", table.str());
+  draw_figure(stem, 1.4,
+              data +
+                  "set logscale xy\nset format y '10^{%T}'\nset grid\n"
+                  "set xlabel 'steps per collision'\n"
+                  "set ylabel 'error of the rebound speed'\n" +
+                  plot + "\n");
+}
+
+void advise_on(const TimestepArguments& arguments) {
+  Collision collision = arguments.collision;
+  std::function<double(int)> limit_of;
+  RunNetwork network;
+  if (!arguments.run.empty()) {
+    network = read_network(arguments.run);
+    collision = {network.stiffness, network.damping_ratio, network.lightest};
+    const NetworkLimit stiffest = network_limit(0, network.bodies, network.contacts);
+    std::cout << arguments.run << ": " << network.bodies.size() << " particles, "
+              << network.contacts.size() << " contacts, " << stiffest.contacts
+              << " of the stiffest particle; time step " << short_number(network.timestep)
+              << " s\n";
+    limit_of = [&](int order) {
+      return std::min(limit_of_contacts(order, collision, 1),
+                      network_limit(order, network.bodies, network.contacts).timestep);
+    };
+  } else {
+    limit_of = [&](int order) { return limit_of_contacts(order, collision, arguments.contacts); };
+  }
+  std::cout << "k_n = " << short_number(collision.stiffness)
+            << " N/m, eta = " << short_number(collision.damping_ratio)
+            << ", m = " << short_number(collision.mass) << " kg: a collision lasts "
+            << short_number(collision.duration()) << " s";
+  if (arguments.speed > 0)
+    std::cout << ", overlaps by up to " << short_number(collision.largest_overlap(arguments.speed))
+              << " m";
+  std::cout << '\n';
+  const auto all = advise(collision, arguments.error, limit_of);
+  const TimestepAdvice* const best = cheapest(all);
+  print_table(all, best, arguments.error);
+  if (best)
+    std::cout << "in a deck: timestep " << short_number(best->timestep)
+              << "\n           fix ID all " << best->integrator.fix << '\n';
+  if (!arguments.stem.empty()) {
+    write_chart(collision, arguments.stem);
+    std::cout << "written: " << arguments.stem << ".csv .png .svg\n";
+  }
+}
+
+}  // namespace
+
+void add_timestep(CLI::App& app) {
+  auto arguments = std::make_shared<TimestepArguments>();
+  auto* command = app.add_subcommand(
+      "timestep",
+      "Which time step, with which integrator: stability limits, and the error of a head-on "
+      "collision against its steps, for the linear contact law; of a finished run, or of numbers.");
+  command->footer(
+      "Examples:\n"
+      "  rodpack timestep results/quick\n"
+      "  rodpack timestep --kn 2000 --eta 0.2 --mass 8.8e-5 --contacts 30 --error 1e-4");
+  auto* run =
+      command->add_option("run", arguments->run, "run folder: its last frame has the contacts")
+          ->check(existing_folder());
+  const auto add = [&](const char* name, double& value, const char* help, double high) {
+    return command->add_option(name, value, help)->check(positive_number(high))->excludes(run);
+  };
+  auto* kn = add("--kn", arguments->collision.stiffness,
+                 "stiffness k_n of a particle, N/m; two in contact have half of it", 1e15);
+  auto* mass = add("--mass", arguments->collision.mass, "mass of the lightest particle, kg", 1e12);
+  auto* eta = command
+                  ->add_option("--eta", arguments->collision.damping_ratio,
+                               "damping ratio along the normal")
+                  ->check(number(0, 1))
+                  ->excludes(run);
+  command
+      ->add_option(
+          "--contacts", arguments->contacts,
+          "contacts that hold the stiffest particle, on one line (default 1; a settled bed "
+          "of smooth rods of AR 5 has some 30)")
+      ->check(whole_number(1, 100000))
+      ->excludes(run);
+  command
+      ->add_option("--speed", arguments->speed,
+                   "closing speed, m/s: says how far two particles overlap")
+      ->check(positive_number(1e9));
+  command
+      ->add_option("--error", arguments->error,
+                   "largest relative error of the rebound speed (default 0.001)")
+      ->check(number(1e-12, 0.5));
+  command
+      ->add_option("-o,--output", arguments->stem,
+                   "writes the chart of error against steps as <output>.csv .png .svg")
+      ->check(stem_of_files());
+  command->callback([=] {
+    if (arguments->run.empty() && !(*kn && *mass && *eta))
+      throw CLI::ValidationError("timestep",
+                                 "expected a run folder, or all of --kn, --mass and --eta");
+    advise_on(*arguments);
+  });
+}
+
+}  // namespace rodpack::cli
