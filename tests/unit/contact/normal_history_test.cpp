@@ -126,21 +126,62 @@ TEST(NormalHistory, TheDashpotFeelsJumpsOfItsBodiesAlongTheNormal) {
   EXPECT_FALSE(told.events[0].jumps);
 }
 
-// A jump that turns the force of the last evaluation, as it should have been, negative: then the
-// force has come back within the step, although both evaluations were positive.
-TEST(NormalHistory, AJumpChangesWhatTheForceWasBefore) {
-  const SampleContact contact = damped(2e-6, -0.1);
+// The last evaluation found spring and dashpot to push with u; the jump, which it did not know of,
+// has made them pull, so that the force ended before it, where u + r t = c (v + a t), t = 0 at the
+// evaluation. Until then the dashpot misses c (v + a t), from then on the records miss -(u + r t).
+TEST(NormalHistory, AJumpEndsTheForceMoreThanAStepBack) {
+  const double u = 0.001, r = -100, a = 900, v = 0.01, x = 4e-8;
+  const double end = -(u - c * v) / (r - c * a);
+  ASSERT_LT(end, 0);
+  ASSERT_GT(end, -dt);
+  const double now = u + r * dt - c * (v + a * dt), overlap = 2e-6;
+  const SampleContact contact = damped(overlap, (k * overlap - now) / c);
   NormalHistory history;
-  history.viscoelastic = 0.001;
+  history.viscoelastic = u;
   RecordedEvents told;
   told.moved = true;
-  told.jump.velocity[1] = 0.01;  // -c v = -0.004 N
-  follow_normal_force(contact, history, force_of(contact), true, dt, &told);
+  told.jump.acceleration[1] = a;
+  told.jump.velocity[1] = v;
+  told.jump.displacement[1] = x;
+  follow_normal_force(contact, history, now, true, dt, &told);
   ASSERT_EQ(told.events.size(), 2u);
-  const double now = force_of(contact), s = dt * now / (now + 0.003);
-  expect_change(told.events[0].on_i, now, (now + 0.003) / dt,
-                now * s - (now + 0.003) / dt * s * s / 2,
-                now * s * s / 2 - (now + 0.003) / dt * s * s * s / 3);
+  ForceChange sum = told.events[0].on_i;
+  sum += told.events[1].on_i;
+  EXPECT_NEAR(sum.now[1], -(u + r * dt), 1e-12);
+  EXPECT_NEAR(sum.rate[1], -r, 1e-6);
+  const auto integral = [](double constant, double slope, double from, double to) {
+    return constant * (to - from) + slope * (to * to - from * from) / 2;
+  };
+  EXPECT_NEAR(sum.impulse[1], -c * (x - integral(v, a, end, 0)) - integral(u, r, end, dt), 1e-18);
+}
+
+// The other way: it was cut off, and the jump has made it push again, from where -u + r t = c (v +
+// a t). What the records miss is all of the force; the dashpot was not in them.
+TEST(NormalHistory, AJumpBringsTheForceBackMoreThanAStepBack) {
+  const double before = 0.003, slope = 500, overlap = 2e-6, now = before + slope * dt;
+  const SampleContact contact = damped(overlap, (k * overlap - now) / c);
+  NormalHistory history;
+  history.viscoelastic = -0.001;
+  RecordedEvents told;
+  told.moved = true;
+  told.jump.velocity[1] = -0.01;  // -c v = 0.004 N
+  told.jump.acceleration[1] = -900;
+  follow_normal_force(contact, history, now, true, dt, &told);
+  ASSERT_EQ(told.events.size(), 1u);
+  const double since = dt + before / slope;
+  expect_change(told.events[0].on_i, now, slope, slope * since * since / 2,
+                slope * since * since * since / 6);
+}
+
+TEST(NormalHistory, AForceThatStaysCutOffHasNoDashpotToFeelAJump) {
+  const double overlap = 2e-6, now = -0.002;
+  NormalHistory history;
+  history.viscoelastic = -0.001;
+  RecordedEvents told;
+  told.moved = true;
+  told.jump.velocity[1] = 0.01;
+  follow_normal_force(damped(overlap, (k * overlap - now) / c), history, now, true, dt, &told);
+  EXPECT_TRUE(told.events.empty());
 }
 
 // One step after touch the rate of the force is known from two evaluations; at touch k w was

@@ -219,8 +219,8 @@ TEST(TangentialHistory, StickBeginsAtTheStandstill) {
 }
 
 // While it slid, the overlap was d - w t + g t^2 / 2, t seconds ago, and the cap mu k_n times that:
-// the spring that stays is what carried the cap at the standstill, which is found from the spring of
-// one step ago, overlap and closing speed of now. With the cap's rate alone it would be short by
+// the spring that stays is what carried the cap at the standstill, which is found from the spring
+// of one step ago, overlap and closing speed of now. With the cap's rate alone it would be short by
 // mu k_n g s^2 / 2.
 TEST(TangentialHistory, StickKeepsTheSpringOfACurvedCap) {
   const double a = 2000, d = 1e-4, w = 0.4, g = 3e5, s = 0.6 * dt;
@@ -233,6 +233,53 @@ TEST(TangentialHistory, StickKeepsTheSpringOfACurvedCap) {
   EXPECT_FALSE(history.sliding);
   const double at_standstill = friction * overlap(s) / kt;
   EXPECT_NEAR(history.spring[0], at_standstill - a * s * s / 2, 1e-12 * at_standstill);
+}
+
+// As above, but the slide was stopped by a jump in the step before, which the evaluation at its end
+// did not know of: the velocity -a (t - t0), as it should have been, is against the slide there
+// already.
+TEST(TangentialHistory, AJumpMakesAContactStickMoreThanAStepBack) {
+  const double a = 2000, overlap = 1e-4, cap = friction * overlap, s = 1.4 * dt;
+  const double unseen = 0.02;
+  TangentialHistory history = history_of(cap / kt, unseen - 0.4 * a * dt, 0.03, 0.04);
+  history.sliding = true;
+  RecordedEvents told;
+  told.moved = true;
+  told.jump = {{-500, 0, 0}, {-unseen, 0, 0}, {-3e-8, 0, 0}};
+  const TangentialForce force = evaluate(sheared(overlap, -a * s), history, told);
+  EXPECT_FALSE(force.sliding);
+  EXPECT_NEAR(history.spring[0], cap / kt - a * s * s / 2, 1e-12 * cap / kt);
+  ASSERT_EQ(told.events.size(), 1u);  // the slide had no dashpot
+  const ForceChange& change = told.events[0].on_i;
+  EXPECT_NEAR(change.now[0], kt * a * s * s / 2 + gamma_t * a * s, 1e-12 * cap);
+  const double exact = gamma_t * a * s * s / 2 + kt * a * s * s * s / 6;
+  EXPECT_NEAR(change.impulse[0], exact, 1.01 * kt * a * s * s * s / 6);
+}
+
+// A dashpot alone (k_t next to 0), at the velocity V, below the cap at the last evaluation; with
+// the jump, v + a t more, it was beyond from t0 < 0 on: gamma (V + v + a t0) is the cap. Until then
+// the records miss -gamma (v + a t), from then on the cap takes the place of gamma V.
+TEST(TangentialHistory, AJumpMakesAContactSlideMoreThanAStepBack) {
+  const double overlap = 1e-6, cap = friction * overlap, V = 0.9 * cap / gamma_t;
+  const double v = 0.2 * cap / gamma_t, a = v / (1.2 * dt), x = 0.5 * v * 1.2 * dt;
+  const double begin = (cap / gamma_t - V - v) / a;
+  ASSERT_LT(begin, 0);
+  ASSERT_GT(begin, -dt);
+  TangentialHistory history = history_of(0, V, V, V);
+  RecordedEvents told;
+  told.moved = true;
+  told.jump = {{a, 0, 0}, {v, 0, 0}, {x, 0, 0}};
+  SampleContact contact = sheared(overlap, V + v + a * dt);
+  contact.kt = 1e-9;
+  EXPECT_TRUE(evaluate(contact, history, told).sliding);
+  ASSERT_EQ(told.events.size(), 2u);
+  ForceChange sum = told.events[0].on_i;
+  sum += told.events[1].on_i;
+  EXPECT_NEAR(sum.now[0], gamma_t * V - cap, 1e-9 * cap);
+  EXPECT_NEAR(sum.rate[0], 0, 1e-6 * cap / dt);
+  const double until = x + v * begin + a * begin * begin / 2;
+  EXPECT_NEAR(sum.impulse[0], -gamma_t * until + (gamma_t * V - cap) * (dt - begin),
+              1e-9 * cap * dt);
 }
 
 // Jumps of the bodies move the surface along by x, and its velocities of the past by v - k dt a: as

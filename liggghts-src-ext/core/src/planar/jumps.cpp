@@ -51,23 +51,23 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   LastingContact<OneContact> lasting;
   double velocity[max_multistep_order];
   for (int k = 0; k < slots_; ++k) velocity[k] = values[pool.velocity(k)];
+  lasting.slid = (head.sliding & bit) != 0;
   lasting.spring_before = values[planar_spring];
   follow_jump(tangential, dt, lasting.spring_before, slots_,
               [&](int k) -> double& { return velocity[k]; });
+  if (lasting.slid) lasting.spring_before = values[planar_spring];
   lasting.spring = lasting.spring_before;
   for (int k = 0; k < settings_.order; ++k) lasting.spring += dt * weights[k] * velocity[k];
   lasting.normal_stiffness = contact.kn;
   lasting.normal_damping = contact.gamman;
   lasting.overlap = contact.deltan;
   lasting.separation_velocity = contact.vn;
-  lasting.viscoelastic_before =
-      viscoelastic_before(values[planar_viscoelastic], contact.gamman, normal.velocity);
+  lasting.viscoelastic_before = values[planar_viscoelastic];
   lasting.tangential_stiffness = contact.kt;
   lasting.inverse_stiffness.inverse = law.inverse_kt;
   lasting.tangential_damping = contact.gammat;
   lasting.tangential_velocity = contact.tangential_velocity();
   lasting.cap = coulomb_cap(law.friction, contact.deltan);
-  lasting.slid = (head.sliding & bit) != 0;
   const LastingForce<OneContact> force = lasting_force(lasting, 0.0, true);
   if (force.changes) return false;
 

@@ -164,6 +164,14 @@ inline double time_since_zero(double before, double now, double dt) {
   return dt * std::min(1.0, std::max(0.0, now / (now - before)));
 }
 
+/// The same where `before`, as a jump of the bodies in the step before has changed it, may have the
+/// sign of `now` already: the zero of the line through both, at most two steps back; one step where
+/// that line tells nothing.
+inline double time_since_crossing(double before, double now, double dt) {
+  const double steps = now / (now - before);
+  return dt * (steps >= 0.0 ? std::min(2.0, steps) : 1.0);
+}
+
 }  // namespace rodpack
 
 #endif

@@ -43,8 +43,11 @@ struct FrictionForce {
 
 namespace detail {
 
-/// Time since the quadratic through slip[0] > 0 (now), slip[1] < 0, slip[2] (earlier) was 0.
+/// Time since the slip was 0: slip[0] > 0 now, slip[1] one step ago, slip[2] earlier; of the
+/// quadratic through them, or, where a jump of the bodies has stopped it in the step before, so
+/// that slip[1] is not below 0, of the line through the last two.
 inline double time_since_standstill(const double (&slip)[3], int known, double dt) {
+  if (!(slip[1] < 0.0)) return time_since_crossing(slip[1], slip[0], dt);
   double x = slip[0] / (slip[0] - slip[1]);
   if (known > 2) {
     const double c = 0.5 * (slip[2] - 2.0 * slip[1] + slip[0]), b = slip[1] - slip[0] - c;
@@ -84,9 +87,8 @@ inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], d
   }
   if (step.slid) return result;
   const double below = excess_before(step), beyond = trial - cap;
-  result.changed = below < 0.0 && beyond > 0.0;
-  if (!result.changed) return result;
-  result.since = time_since_zero(below, beyond, step.dt);
+  result.changed = true;
+  result.since = time_since_crossing(below, beyond, step.dt);
   for (int d = 0; d < 3; ++d) {
     result.gain[d] = -beyond / trial * stuck[d];
     result.gain_rate[d] = -(beyond - below) / step.dt / trial * stuck[d];
@@ -102,13 +104,9 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
                            double (&spring)[3]) {
   FrictionForce result = {};
   result.changed = true;
-  const bool stands = step.slid && slip[1] < 0.0;
-  if (stands) {
-    result.since = time_since_standstill(slip, step.known, step.dt);
-  } else {
-    const double below = excess_before(step);
-    result.since = below < 0.0 ? time_since_zero(below, trial - cap, step.dt) : 0.0;
-  }
+  const bool stands = step.slid;
+  result.since = stands ? time_since_standstill(slip, step.known, step.dt)
+                        : time_since_crossing(excess_before(step), trial - cap, step.dt);
   const double at_change = cap_at(step, result.since);
   const double share = result.since / step.dt;
   for (int d = 0; d < 3; ++d) {

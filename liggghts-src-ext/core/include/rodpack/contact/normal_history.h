@@ -31,12 +31,13 @@ void change_along_normal(const Contact& contact, double force, double rate, doub
   events.add(contact, change_in_space(contact, now, growing, since), jumps);
 }
 
-/// The viscoelastic force has changed its sign within the step; `before`: one step ago.
+/// The normal force has ended, or begins again, where the viscoelastic force was 0; `before`: one
+/// step ago, with all that has jumped since.
 template <class Contact, class Events>
 void cross_zero(const Contact& contact, double before, double viscoelastic, double dt,
                 Events& events) {
   const double sign = viscoelastic > 0.0 ? 1.0 : -1.0;
-  const double since = time_since_zero(before, viscoelastic, dt);
+  const double since = time_since_crossing(before, viscoelastic, dt);
   change_along_normal(contact, sign * viscoelastic, sign * (viscoelastic - before) / dt, since,
                       false, events);
 }
@@ -63,8 +64,10 @@ void go_on(const Contact& contact, const NormalHistory& history, double viscoela
   const double before = moved ? viscoelastic_before(history.viscoelastic, contact.gamman,
                                                     dot(jump.velocity, contact.en))
                               : history.viscoelastic;
-  if ((viscoelastic > 0.0) != (before > 0.0)) cross_zero(contact, before, viscoelastic, dt, events);
-  if (!moved || !(viscoelastic > 0.0)) return;
+  // The records are of the branch of the last evaluation, which did not know of the jump.
+  const bool acted = history.viscoelastic > 0.0, acts = viscoelastic > 0.0;
+  if (acted != acts) cross_zero(contact, before, viscoelastic, dt, events);
+  if (!moved || !acted) return;
   double parts[3][3];
   const double* const in_full[3] = {jump.acceleration, jump.velocity, jump.displacement};
   double normal[3];
@@ -73,7 +76,7 @@ void go_on(const Contact& contact, const NormalHistory& history, double viscoela
     for (int d = 0; d < 3; ++d) parts[k][d] = normal[k] * contact.en[d];
   }
   events.add(contact, dashpot_change(contact.gamman, parts[0], parts[1], parts[2], dt), false);
-  if (!had_just_touched) return;
+  if (!had_just_touched || !acts) return;
   // Two evaluations after touch give the rate that was guessed at touch. What was missed has been
   // felt by other contacts of the bodies, hence `jumps`.
   const double applied = history.touch_rate - contact.gamman * normal[0];
@@ -103,11 +106,9 @@ void follow_normal_force(const Contact& contact, NormalHistory& history, double 
 template <class Contact, class Events>
 void end_normal_force(const Contact& contact, const NormalHistory& history, double dt,
                       Events& events) {
-  const double viscoelastic =
-      viscoelastic_force(contact.kn, contact.deltan, contact.gamman, contact.vn);
-  // A force that was cut off before has had its event.
-  if (history.viscoelastic > 0.0 && viscoelastic < 0.0)
-    detail::cross_zero(contact, history.viscoelastic, viscoelastic, dt, events);
+  detail::go_on(contact, history,
+                viscoelastic_force(contact.kn, contact.deltan, contact.gamman, contact.vn), false,
+                dt, events);
 }
 
 }  // namespace rodpack

@@ -91,16 +91,19 @@ double start_spring(const Contact& contact, double dt, double* spring) {
 }
 
 /// Puts into the spring and the velocities of the past what an event in the last step, which they
-/// could not know of, did to the bodies.
-inline void follow_bodies(const double* en, double dt, ContactJump& jump,
+/// could not know of, did to the bodies. The spring of a contact that `slid` carries the cap,
+/// whatever way its surfaces go.
+inline void follow_bodies(const double* en, double dt, bool slid, ContactJump& jump,
                           TangentialHistory& history) {
   in_plane(en, jump.acceleration);
   in_plane(en, jump.velocity);
   in_plane(en, jump.displacement);
   for (int d = 0; d < 3; ++d) {
+    const double carrying = history.spring[d];
     follow_jump({jump.acceleration[d], jump.velocity[d], jump.displacement[d]}, dt,
                 history.spring[d], std::min(history.known, history.slots),
                 [&](int k) -> double& { return history.velocity[k][d]; });
+    if (slid) history.spring[d] = carrying;
   }
 }
 
@@ -146,7 +149,7 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
     detail::turn_with_contact(contact.en, history.velocity[k]);
   if (events) {
     past.moved = events->motion_changed(contact, past.jump);
-    if (past.moved) detail::follow_bodies(contact.en, dt, past.jump, history);
+    if (past.moved) detail::follow_bodies(contact.en, dt, past.sliding, past.jump, history);
   }
   std::copy(history.spring, history.spring + 3, past.spring);
   std::copy(history.velocity[0], history.velocity[0] + 3, past.velocity);
@@ -220,14 +223,15 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
     events.add(contact, change_in_space(contact, force, rate, past.since), !sliding && gamma > 0.0);
     return;
   }
-  if (law.changed) {
-    if (law.since > 0.0)
-      events.add(contact, change_in_space(contact, law.gain, law.gain_rate, law.since), law.jumps);
-    return;
-  }
+  if (law.changed && law.since > 0.0)
+    events.add(contact, change_in_space(contact, law.gain, law.gain_rate, law.since), law.jumps);
+  // Up to a change of branch the dashpot of a stuck contact would have felt the jump.
   const ContactJump& jump = past.jump;
-  events.add(contact,
-             dashpot_change(gamma, jump.acceleration, jump.velocity, jump.displacement, dt), false);
+  if (past.moved && !past.sliding)
+    events.add(contact,
+               dashpot_change(gamma, jump.acceleration, jump.velocity, jump.displacement, dt),
+               false);
+  if (law.changed) return;
   if (!past.just_touched) return;
   // Two evaluations after touch give the rate that was guessed at touch, as constant since then.
   ForceChange missed;
@@ -329,6 +333,11 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history, co
     rate[d] = (now[d] + before) / dt;
   }
   events.add(contact, change_in_space(contact, now, rate, since), true);
+  if (past.moved)
+    events.add(contact,
+               dashpot_change(gamma, past.jump.acceleration, past.jump.velocity,
+                              past.jump.displacement, dt),
+               false);
 }
 
 }  // namespace rodpack
