@@ -14,8 +14,8 @@ import numpy as np
 from .errors import FormatError, no_such_column, shortened
 from .text import Lines, number, whole_number
 
-# Whole numbers up to here are exact as double.
-LARGEST_WHOLE = 2**53
+# Whole numbers up to here are read by way of a double to the last digit; no larger one becomes one of them.
+LARGEST_WHOLE = 2**53 - 1
 
 # Columns of whole numbers, lowest and highest value.
 WHOLE = {name: (0, LARGEST_WHOLE) for name in

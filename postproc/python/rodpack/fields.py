@@ -8,6 +8,7 @@ plain or compressed with zlib.
 
 import base64
 import binascii
+import math
 import re
 import zlib
 from collections.abc import Mapping
@@ -105,7 +106,8 @@ class _Image:
         """What `table` has for an attribute. FormatError, which lists what is known, for anything else."""
         found = element.get(name, default)
         if found not in table:
-            self.fail(f"{element.tag} {name}: expected {' or '.join(table)}, found '{shortened(str(found))}'")
+            known = " or ".join(each or "none" for each in table)
+            self.fail(f"{element.tag} {name}: expected {known}, found '{shortened(str(found))}'")
         return table[found]
 
     def numbers(self, element, name, count, whole=False):
@@ -144,9 +146,12 @@ class _Image:
             name = element.get("Name", "")
             if name in arrays:
                 self.fail(f"expected each field once, found '{shortened(name)}' twice")
-            width = int(self.numbers(element, "NumberOfComponents", 1, whole=True)[0]
-                        if "NumberOfComponents" in element.attrib else 1)
-            values = self.values(element, name, int(np.prod(count)) * max(width, 1))
+            width = 1
+            if "NumberOfComponents" in element.attrib:
+                width = self.numbers(element, "NumberOfComponents", 1, whole=True)[0]
+            if width < 1:
+                self.fail(f"field '{name}': expected one component or more, found {width}")
+            values = self.values(element, name, math.prod(count) * width)
             if not np.isfinite(values).all():
                 place = int(np.flatnonzero(~np.isfinite(values))[0])
                 self.fail(f"field '{name}': expected finite numbers, found {values[place]} at place {place // width}")
