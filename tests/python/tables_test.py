@@ -33,10 +33,12 @@ class Tables(FileTest):
         self.assert_equal(read_table(self.write("a.csv", "x,y\n"))["y"], np.empty(0))
 
     def test_fields_that_may_be_missing(self):
-        file = self.write("a.csv", "case,sem\na,\nb,nan\nc,2\n")
-        self.assert_equal(read_table(file).numbers("sem", missing=True), [np.nan, np.nan, 2])
+        file = self.write("a.csv", "case,sem\na,\nb,nan\nc,2\nd,inf\n")
+        self.refuses(lambda f: read_table(f).numbers("sem", missing=True), file, 5, "a finite number or none", "'inf'")
         self.refuses(read_columns, file, 2, "column 'case'", "a finite number", "'a'")
         self.refuses(lambda f: read_table(f)["sem"], file, 2, "column 'sem'", "found ''")
+        file = self.write("a.csv", "case,sem\na,\nb,nan\nc,2\n")
+        self.assert_equal(read_table(file).numbers("sem", missing=True), [np.nan, np.nan, 2])
 
     def test_what_is_refused(self):
         def refused(content, line, *words):

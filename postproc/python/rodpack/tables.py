@@ -44,8 +44,8 @@ class Table(Mapping):
         return [row[index] for row in self._fields]
 
     def numbers(self, name, missing=False):
-        """A column as float64. missing=True: NaN for fields that are empty or "nan" (no value), and inf."""
-        absent = {"": np.nan, "nan": np.nan, "-nan": np.nan, "inf": np.inf, "-inf": -np.inf} if missing else {}
+        """A column as float64. missing=True: NaN for fields that are empty or "nan": no value."""
+        absent = {"": np.nan, "nan": np.nan, "-nan": np.nan} if missing else {}
         values = np.empty(self.rows)
         for row, word in enumerate(self.words(name)):
             value = absent.get(word)
