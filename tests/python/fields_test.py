@@ -4,6 +4,7 @@
 import base64
 import subprocess
 import unittest
+import zlib
 
 import numpy as np
 from support import PROGRAMS, FileTest, rodpack
@@ -150,6 +151,9 @@ class Refusals(FileTest):
         self.binary(coded(1, 8, 0, 4), "expected 16 bytes", "found 8", compressed=True)
         self.binary(coded(1, 16, 0, 4) + "AAAAAA==", "compressed block is damaged", compressed=True)
         self.binary(coded(1, 16, 0, 400) + "AAAAAA==", "is cut short", compressed=True)
+        # Without its checksum, the last four bytes, a block may have any content.
+        packed = zlib.compress(bytes(16))[:-4]
+        self.binary(coded(1, 16, 0, len(packed)) + base64.b64encode(packed).decode(), "block is damaged", compressed=True)
         self.binary(coded(0, 16, 0), "expected 16 bytes", "found 0", compressed=True)
 
 

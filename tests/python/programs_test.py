@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What liggghts and rodpack write is read: a small deposition with its analysis, chains in space."""
 
+import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
-from support import PROGRAMS, REPOSITORY, FileTest, rodpack
+from support import PACKAGE, PROGRAMS, REPOSITORY, FileTest, rodpack
 
 from rodpack import Run, read_dump, read_fields, read_json, read_table
 from rodpack.orientation import long_axes, quaternions, rotate
@@ -160,6 +162,17 @@ class Deposition(ProgramTest):
             for table in run.tables:
                 for column in run.table(table).values():
                     self.assertTrue(np.isfinite(column).all())
+
+    def test_the_example_of_the_page_does_what_it_says(self):
+        (self.folder / "results").mkdir()
+        (self.folder / "results" / "quick").symlink_to(self.top / "rods")
+        example = (PACKAGE / "README.md").read_text().split("```python\n")[1].split("```")[0]
+        example += "assert axes.shape == (60, 3) and pressure.shape == (fields.y.size, fields.x.size) and peak > 0.9\n"
+        done = subprocess.run([sys.executable, "-B", "-c", example], cwd=self.folder,
+                              env={**os.environ, "PYTHONPATH": str(PACKAGE)}, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertTrue(done.stdout.endswith(f"{Run(self.top / 'rods').result['step']} 60\n"), done.stdout)
 
     def test_every_cut_of_a_real_dump_is_noticed(self):
         file = Path(Run(self.top / "rods").contacts.files[-1])

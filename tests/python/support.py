@@ -10,7 +10,9 @@ from pathlib import Path
 try:
     import numpy as np
 except ImportError:
-    sys.exit("FAILED: no Python package numpy: install python3-numpy (docker/packages-tests.txt)")
+    print("skipped: no Python package numpy: install python3-numpy (docker/packages-tests.txt)")
+    # The machine that decides about a change has all packages.
+    sys.exit(1 if os.environ.get("CI") == "true" else 77)
 
 REPOSITORY = Path(__file__).resolve().parent.parent.parent
 PACKAGE = REPOSITORY / "postproc" / "python"

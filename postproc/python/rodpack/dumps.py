@@ -22,8 +22,6 @@ WHOLE = {name: (0, LARGEST_WHOLE) for name in
          ("id", "type", "body", "body_i", "body_j", "sphere_i", "sphere_j")}
 WHOLE.update(nspheres=(1, 10**6), wall=(0, 1))
 
-# What numbers are not made of: "nan", "inf", "0x1", "1_000", which NumPy takes for numbers.
-_NO_NUMBERS = re.compile(r"[^0-9+\-.eE \t\n]")
 _FLAG = re.compile(r"[fpsm]{2}")
 
 
@@ -260,15 +258,14 @@ def _read_rows(lines, names, count):
         texts.append(line)
     if not texts:
         return np.empty((0, len(names)))
-    # NumPy says neither line nor field of what it does not take, and takes "nan" and rows that are all
-    # short alike: what is not plainly right is looked at again, word by word.
-    if not _NO_NUMBERS.search("\n".join(texts)):
-        try:
-            values = np.loadtxt(texts, comments=None, ndmin=2)
-            if values.shape == (count, len(names)) and np.isfinite(values).all():
-                return values
-        except ValueError:
-            pass
+    # NumPy says neither line nor field of what it does not take, and takes "nan" and rows that are all short
+    # alike: what is not plainly right is looked at again, word by word.
+    try:
+        values = np.loadtxt(texts, comments=None, ndmin=2)
+    except ValueError:
+        values = np.empty(0)
+    if values.shape == (count, len(names)) and np.isfinite(values).all():
+        return values
     return np.array([_row(lines.file, first + index, names, text) for index, text in enumerate(texts)])
 
 
