@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds the package for pip (PEP 517) without any other package: a wheel is a zip file with two texts in it."""
+"""Builds the package for pip (PEP 517) without any other package: a wheel is a zip file."""
 
 import base64
 import hashlib
@@ -27,7 +27,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                 f"License: GPL-2.0-or-later\nRequires-Dist: {_project('dependencies')}\n")
     files = {str(file.relative_to(HERE)): file.read_bytes() for file in sorted(HERE.glob("rodpack/*.py"))}
     files[f"{info}/METADATA"] = metadata.encode()
-    files[f"{info}/WHEEL"] = b"Wheel-Version: 1.0\nGenerator: rodpack\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+    files[f"{info}/WHEEL"] = (b"Wheel-Version: 1.0\nGenerator: rodpack\nRoot-Is-Purelib: true\n"
+                              b"Tag: py3-none-any\n")
     record = ""
     for name, content in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()

@@ -109,8 +109,8 @@ class Reading(FileTest):
         largest = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
         self.assertEqual(steps, list(range(8)))
-        # A frame's text, 0.5 MB, as lines of Python is some 2 MB, its numbers 0.3 MB; two frames are held while
-        # one follows the other. Eight would be 16 MB.
+        # A frame's text, 0.5 MB, as lines of Python is some 2 MB, its numbers 0.3 MB; two frames are held
+        # while one follows the other. Eight would be 16 MB.
         self.assertLess(largest, 8e6)
 
     def test_numbers_of_all_sizes(self):
@@ -141,7 +141,8 @@ class Series(FileTest):
             read_dump([]).last()
 
     def test_a_step_that_comes_twice_is_refused(self):
-        self.refuses(read_all, self.write("a.dump", frame(5) + frame(6) + frame(5)), 29, "step 5 again", "a.dump:9")
+        again = self.write("a.dump", frame(5) + frame(6) + frame(5))
+        self.refuses(read_all, again, 29, "step 5 again", "a.dump:9")
         files = [self.write("x.dump", frame(5)), self.write("y.dump", frame(5))]
         self.refuses(lambda _: read_dump(files), files[1], None, "expected each step once", str(files[0]))
         files = [self.write("x.dump", frame(1) + frame(5)), self.write("y.dump", frame(4) + frame(5))]
@@ -223,8 +224,8 @@ class Refusals(FileTest):
             next(iter(read_dump(self.write("a.dump", frame(1, "1 2\n2 3\n", 1)))))
 
     def test_what_is_no_finite_number(self):
-        for word in ("nan", "-nan", "inf", "-inf", "1e999", "0x10", "1_000", "1,5", "abc", "1e", ".", "--1", "1d5",
-                     "\u0661"):
+        for word in ("nan", "-nan", "inf", "-inf", "1e999", "0x10", "1_000", "1,5", "abc", "1e", ".", "--1",
+                     "1d5", "\u0661"):
             self.changed("0.1", word, 10, "column 'x'", "a finite number", f"'{word}'")
 
     def test_ids_and_counts_are_whole_and_in_their_range(self):
@@ -241,7 +242,8 @@ class Refusals(FileTest):
 
     def test_columns_that_are_not_there(self):
         bodies = read_all(self.write("a.dump", BODIES))[0]
-        self.refuses(lambda _: bodies["vx"], self.folder / "a.dump", 9, "no column 'vx'", "id x half_length nspheres")
+        self.refuses(lambda _: bodies["vx"], self.folder / "a.dump", 9, "no column 'vx'",
+                     "id x half_length nspheres")
         self.refuses(lambda _: bodies.stack("x", "y"), self.folder / "a.dump", 9, "no column 'y'")
 
     def test_every_cut_is_noticed(self):

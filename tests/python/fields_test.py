@@ -21,15 +21,14 @@ PLAIN = """\
 """
 
 
-def coded(*words, kind="<u4"):
-    return base64.b64encode(np.array(words, kind).tobytes()).decode()
+def coded(*words, then=b""):
+    """Numbers of a header, and bytes behind them, in base64."""
+    return base64.b64encode(np.array(words, "<u4").tobytes() + then).decode()
 
 
 class Encodings(FileTest):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.names = ["default", "ascii", "binary", "binary_zlib", "appended", "raw", "raw_zlib_big_64", "small_blocks"]
+    names = ("default", "ascii", "binary", "binary_zlib", "appended", "raw", "raw_zlib_big_64",
+             "small_blocks")
 
     def setUp(self):
         super().setUp()
@@ -57,14 +56,14 @@ class Encodings(FileTest):
 
     def test_the_encodings_are_what_they_are_called(self):
         marks = {"ascii": b'format="ascii"', "binary": b'format="binary"', "raw": b'encoding="raw"',
-                 "raw_zlib_big_64": b'byte_order="BigEndian" header_type="UInt64"', "default": b"vtkZLibDataCompressor",
-                 "appended": b'encoding="base64"'}
+                 "raw_zlib_big_64": b'byte_order="BigEndian" header_type="UInt64"',
+                 "default": b"vtkZLibDataCompressor", "appended": b'encoding="base64"'}
         for name, mark in marks.items():
             self.assertIn(mark, (self.folder / f"{name}.vti").read_bytes(), name)
 
     def test_an_encoding_that_is_not_known_is_refused(self):
-        self.refuses(read_fields, self.folder / "unknown_lz4.vti", None, "compressor", "vtkZLibDataCompressor",
-                     "'vtkLZ4DataCompressor'")
+        self.refuses(read_fields, self.folder / "unknown_lz4.vti", None, "compressor",
+                     "expected none or vtkZLibDataCompressor, found 'vtkLZ4DataCompressor'")
 
     def test_every_cut_is_noticed(self):
         # All that follows </VTKFile> is the line's end.
@@ -106,7 +105,8 @@ class Refusals(FileTest):
     def test_grids_that_are_not_ours(self):
         self.changed('<Piece Extent="0 1', '<Piece Extent="0 0', None, "one piece that is the whole image")
         self.changed("0 1 0 0 0 0", "1 0 0 0 0 0", None, "one place or more")
-        self.changed('WholeExtent="0 1 0 0 0 0"', 'WholeExtent="0 1 0 0"', None, "WholeExtent", "6 whole numbers")
+        self.changed('WholeExtent="0 1 0 0 0 0"', 'WholeExtent="0 1 0 0"', None, "WholeExtent",
+                     "6 whole numbers")
         self.changed('Spacing="1 1 1"', 'Spacing="1 nan 1"', None, "Spacing", "'1 nan 1'")
         self.changed('Origin="0 0 0"', "", None, "Origin", "3 numbers")
         self.changed('Spacing="1 1 1"', 'Spacing="1 1 1" Direction="0 1 0 1 0 0 0 0 1"', None, "Direction")
@@ -117,44 +117,56 @@ class Refusals(FileTest):
         self.changed("Float64", "String", None, "type", "'String'")
         self.changed('"ascii"', '"hex"', None, "format", "'hex'")
         self.changed('format="ascii"', 'format="appended" offset="0"', None, "expected appended data")
+        appended = PLAIN.replace('format="ascii"', 'format="appended" offset="0"')
         self.changed("</ImageData>", '</ImageData><AppendedData encoding="zip">_AAAA</AppendedData>', None,
-                     "AppendedData encoding", "'zip'", text=PLAIN.replace('format="ascii"', 'format="appended" offset="0"'))
+                     "AppendedData encoding", "'zip'", text=appended)
 
     def test_values_that_are_too_few_too_many_or_none(self):
         self.changed("1 2.5", "1", None, "field 'phi'", "expected 2 numbers", "found 1")
         self.changed("1 2.5", "1 2 3", None, "expected 2 numbers", "found 3")
         self.changed("1 2.5", "1 nan", None, "finite numbers", "'nan'")
+        self.changed("1 2.5", "1 1e999", None, "finite numbers", "'1e999'")
+        self.changed("1 2.5", "1 256", None, "numbers of UInt8", "'256'", text=PLAIN.replace("Float64", "UInt8"))
+        self.changed("x", "x", None, "numbers of Int32", "'2.5'", text=PLAIN.replace("Float64", "Int32"))
         self.changed('Name="phi"', 'Name="phi" NumberOfComponents="2"', None, "expected 4 numbers")
         self.changed('Name="phi"', 'Name="phi" NumberOfComponents="0"', None, "one component or more")
-        self.changed("<DataArray", '<DataArray type="Float64" Name="phi" format="ascii">1 2</DataArray><DataArray',
-                     None, "'phi' twice")
+        another = '<DataArray type="Float64" Name="phi" format="ascii">1 2</DataArray>'
+        self.changed("<DataArray", another + "<DataArray", None, "'phi' twice")
 
-    def binary(self, text, *words, compressed=False):
+    def binary(self, text, compressed=False):
+        """The image with these data in base64. Returns its path."""
         content = PLAIN.replace('format="ascii">1 2.5', f'format="binary">{text}')
         if compressed:
-            content = content.replace("LittleEndian\"", 'LittleEndian" compressor="vtkZLibDataCompressor"')
-        self.refuses(read_fields, self.write("bad.vti", content), None, *words)
+            content = content.replace('LittleEndian"', 'LittleEndian" compressor="vtkZLibDataCompressor"')
+        return self.write("binary.vti", content)
+
+    def refuses_binary(self, text, *words, compressed=False):
+        self.refuses(read_fields, self.binary(text, compressed), None, *words)
 
     def test_binary_data_of_another_size(self):
         values = np.array([1, 2.5]).tobytes()
-        head = np.array([16], "<u4").tobytes()
-        good = base64.b64encode(head + values).decode()
-        fields = read_fields(self.write("good.vti", PLAIN.replace('format="ascii">1 2.5', f'format="binary">{good}')))
-        self.assert_equal(fields["phi"], [[1, 2.5]])
-        self.binary(good[:-4], "is cut short")
-        self.binary("!" + good[1:], "base64")
-        self.binary(base64.b64encode(np.array([8], "<u4").tobytes() + values).decode(), "expected 16 bytes", "found 8")
-        self.binary(base64.b64encode(head + np.array([1, np.inf]).tobytes()).decode(), "found inf at place 1")
+        good = coded(16, then=values)
+        self.assert_equal(read_fields(self.binary(good))["phi"], [[1, 2.5]])
+        self.refuses_binary(good[:-4], "is cut short")
+        self.refuses_binary("!" + good[1:], "base64")
+        self.refuses_binary(coded(8, then=values), "expected 16 bytes", "found 8")
+        self.refuses_binary(coded(16, then=np.array([1, np.inf]).tobytes()), "found inf at place 1")
 
     def test_compressed_data_that_claim_what_they_are_not(self):
-        self.binary(coded(4_000_000_000), "is cut short: expected 4000000000 compressed blocks", compressed=True)
-        self.binary(coded(1, 8, 0, 4), "expected 16 bytes", "found 8", compressed=True)
-        self.binary(coded(1, 16, 0, 4) + "AAAAAA==", "compressed block is damaged", compressed=True)
-        self.binary(coded(1, 16, 0, 400) + "AAAAAA==", "is cut short", compressed=True)
+        def refused(text, *words):
+            self.refuses_binary(text, *words, compressed=True)
+        packed = zlib.compress(np.array([1, 2.5]).tobytes())
+        good = coded(1, 16, 0, len(packed)) + coded(then=packed)
+        self.assert_equal(read_fields(self.binary(good, compressed=True))["phi"], [[1, 2.5]])
         # Without its checksum, the last four bytes, a block may have any content.
-        packed = zlib.compress(bytes(16))[:-4]
-        self.binary(coded(1, 16, 0, len(packed)) + base64.b64encode(packed).decode(), "block is damaged", compressed=True)
-        self.binary(coded(0, 16, 0), "expected 16 bytes", "found 0", compressed=True)
+        refused(coded(1, 16, 0, len(packed) - 4) + coded(then=packed[:-4]), "compressed block is damaged")
+        long = zlib.compress(bytes(10**6))
+        refused(coded(1, 16, 0, len(long)) + coded(then=long), "compressed block is damaged")
+        refused(coded(4_000_000_000), "is cut short: expected 4000000000 compressed blocks")
+        refused(coded(1, 8, 0, 4), "expected 16 bytes", "found 8")
+        refused(coded(1, 16, 0, 4) + "AAAAAA==", "compressed block is damaged")
+        refused(coded(1, 16, 0, 400) + "AAAAAA==", "is cut short")
+        refused(coded(0, 16, 0), "expected 16 bytes", "found 0")
 
 
 if __name__ == "__main__":

@@ -37,7 +37,8 @@ def bodies_text(angles, q=None, curvature=0, step=3):
     rows += f"{len(angles) + 1} 1 1 0.5 0.5 0 0 0 0 0 1 0 0 0 0.0015 0.0015 0\n"
     return (f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n{len(angles) + 1}\nITEM: BOX BOUNDS pp ff ff\n"
             "-1 9\n0 2\n-0.5 0.5\n"
-            "ITEM: ATOMS id type nspheres x y z angle vx vy vz qw qx qy qz half_length radius curvature\n" + rows)
+            "ITEM: ATOMS id type nspheres x y z angle vx vy vz qw qx qy qz half_length radius curvature\n"
+            + rows)
 
 
 class Rotation(FileTest):
@@ -72,7 +73,8 @@ class Rotation(FileTest):
         self.assert_equal(to_freud([[1, 2, 3, 4]]), [[1, 2, 3, 4]])
         # The textbooks' matrix of the scalar-last quaternion turns as rotate() does.
         q = multiply(about([0, 0.6, 0.8], 0.7), about([1, 0, 0], -1.9))
-        np.testing.assert_allclose(matrix_of_scalar_last(to_ovito(q)) @ [1, 2, 3], rotate(q, [1, 2, 3]), rtol=0, atol=1e-14)
+        turned = matrix_of_scalar_last(to_ovito(q)) @ [1, 2, 3]
+        np.testing.assert_allclose(turned, rotate(q, [1, 2, 3]), rtol=0, atol=1e-14)
 
     def test_long_axes_of_a_frame(self):
         angles = [0.3, 2.5, -1.0]
@@ -96,9 +98,10 @@ class Examples(FileTest):
         path = [str(PACKAGE)]
         if stand_in is not None:
             path.insert(0, str(self.write("stand_in/freud.py", stand_in).parent))
-        done = subprocess.run([sys.executable, "-B", PACKAGE / "examples" / name, self.folder / "run", *words],
-                              env={**os.environ, "PYTHONPATH": os.pathsep.join(path)}, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True)
+        program = [sys.executable, "-B", PACKAGE / "examples" / name]
+        done = subprocess.run([*program, self.folder / "run", *words], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True,
+                              env={**os.environ, "PYTHONPATH": os.pathsep.join(path)})
         self.assertEqual(done.returncode, status, done.stdout)
         return done.stdout
 
@@ -136,7 +139,8 @@ class Examples(FileTest):
     def test_without_freud_the_example_says_so(self):
         self.write("run/dumps/bodies.3.dump", bodies_text([0.3]))
         printed = self.run_example("nematic_with_freud.py", status=1, stand_in="raise ImportError\n")
-        self.assertEqual(printed, "nematic_with_freud.py: the Python package 'freud' (freud-analysis) is not installed\n")
+        self.assertEqual(printed, "nematic_with_freud.py: the Python package 'freud' (freud-analysis) is not "
+                                  "installed\n")
 
     def test_nematic_order_with_a_stand_in_for_freud(self):
         # Debian has no freud: modules of its interface take its place, which compute the order as its pages
@@ -171,7 +175,8 @@ class Nematic(_Order):
             printed = self.run_example("nematic_with_freud.py",
                                        stand_in=text + "\nclass order:\n    Nematic = Nematic\n")
             self.assertIn(f"step 3, 4 rods: S = {0.25 + 0.75 * expected:.6f}\n", printed)
-            self.assertIn(f"S_2 = {expected:.6f} from it, {expected:.6f} from the axes, director 30.00 degrees", printed)
+            self.assertIn(f"S_2 = {expected:.6f} from it, {expected:.6f} from the axes, "
+                          "director 30.00 degrees", printed)
 
 
 if __name__ == "__main__":

@@ -42,14 +42,15 @@ class Package(FileTest):
     def test_it_works_from_the_wheel(self):
         table = self.write("a.csv", "x\n1\n2\n")
         code = "import sys, rodpack; print(rodpack.__file__, rodpack.read_table(sys.argv[1])['x'].sum())"
-        done = subprocess.run([sys.executable, "-B", "-c", code, table], env={"PYTHONPATH": str(self.build())},
-                              check=True, stdout=subprocess.PIPE, text=True)
+        done = subprocess.run([sys.executable, "-B", "-c", code, table], check=True, stdout=subprocess.PIPE,
+                              env={"PYTHONPATH": str(self.build())}, text=True)
         self.assertIn(".whl/rodpack/__init__.py 3.0", done.stdout)
 
     def test_the_version_is_the_projects(self):
         project = re.search(r"project\(rodpack VERSION (\S+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
         text = (PACKAGE / "pyproject.toml").read_text()
-        self.assertEqual((rodpack.__version__, re.search(r'^version = "(.*)"', text, re.M)[1]), (project, project))
+        self.assertEqual(rodpack.__version__, project)
+        self.assertEqual(re.search(r'^version = "(.*)"', text, re.M)[1], project)
 
     def test_it_imports_numpy_and_pythons_own_modules_alone(self):
         for file in (PACKAGE / "rodpack").glob("*.py"):

@@ -25,9 +25,9 @@ def run_program(*words, cwd=None):
 def template_centres(body, mass_points):
     """Centres of a chain's spheres about its centre of mass, body frame, m, from its row of the dump.
 
-    As the templates' page says: end centres l_axial - d apart along the centreline, the others evenly between; x
-    parallel to the chord, the arc bulges to +y; the centre of mass is that of `mass_points` points evenly
-    spaced on the same centreline.
+    As the templates' page says: end centres l_axial - d apart along the centreline, the others evenly
+    between; x parallel to the chord, the arc bulges to +y; the centre of mass is that of `mass_points` points
+    evenly spaced on the same centreline.
     """
     length, theta = 2 * (body["half_length"] - body["radius"]), body["curvature"]
     if theta == 0:
@@ -41,8 +41,8 @@ def template_centres(body, mass_points):
 
 class ProgramTest(FileTest):
     def check_spheres(self, bodies, spheres, aspect_ratio):
-        """The template's spheres, turned by the body's quaternion, are the dumped ones. Two positions are added
-        up from numbers of 16 digits below 1 m: 1e-15 m."""
+        """The template's spheres, turned by the body's quaternion, are the dumped ones. Positions below 1 m
+        of 16 digits are added up: 1e-15 m."""
         self.assertGreater(bodies.rows, 0)
         self.assertEqual(spheres.rows, bodies["nspheres"].sum())
         size = np.ptp(bodies.box, axis=1)
@@ -88,8 +88,8 @@ class ProgramTest(FileTest):
 
 class InSpace(ProgramTest):
     def test_chains_lie_where_their_quaternions_say(self):
-        run_program(PROGRAMS / "liggghts", "-log", "none", "-in", REPOSITORY / "tests" / "python" / "in.mixture",
-                    cwd=self.folder)
+        run_program(PROGRAMS / "liggghts", "-log", "none", "-in",
+                    REPOSITORY / "tests" / "python" / "in.mixture", cwd=self.folder)
         bodies = read_dump(self.folder / "bodies.dump.gz")
         spheres = read_dump(self.folder.glob("spheres.*.dump"))
         steps = []
@@ -109,7 +109,8 @@ class InSpace(ProgramTest):
         contacts = read_dump(self.folder / "contacts.dump").last()
         self.assertEqual(contacts.kind, "contacts")
         self.assertGreater(contacts.rows, 0)
-        np.testing.assert_allclose(np.linalg.norm(contacts.stack("nx", "ny", "nz"), axis=1), 1, rtol=0, atol=1e-14)
+        normals = np.linalg.norm(contacts.stack("nx", "ny", "nz"), axis=1)
+        np.testing.assert_allclose(normals, 1, rtol=0, atol=1e-14)
 
         fields = read_fields(self.folder / "fields.vti")
         self.check_fields(fields, read_table(self.folder / "fields.csv"), 3)
@@ -125,8 +126,8 @@ class Deposition(ProgramTest):
         cls.addClassCleanup(shutil.rmtree, cls.top)
         for name, words in (("rods", ("output_interval", "0.2")), ("arcs", ("curvature", "90"))):
             run_program("env", f"LIGGGHTS={PROGRAMS / 'liggghts'}", "sh",
-                        REPOSITORY / "inputs" / "deposition" / "run_one.sh", cls.top / name, "-var", "preset", "quick",
-                        "-var", "particles", "60", "-var", *words)
+                        REPOSITORY / "inputs" / "deposition" / "run_one.sh", cls.top / name,
+                        "-var", "preset", "quick", "-var", "particles", "60", "-var", *words)
             run_program(PROGRAMS / "rodpack", "analyse", cls.top / name)
 
     def test_dumps(self):
@@ -140,9 +141,9 @@ class Deposition(ProgramTest):
             self.assertEqual((bodies.kind, spheres.kind, contacts.kind), ("bodies", "spheres", "contacts"))
             self.check_spheres(bodies, spheres, lambda _: run.parameters["aspect_ratio"])
             angle = bodies["angle"]
-            np.testing.assert_allclose(long_axes(bodies), np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1),
-                                       rtol=0, atol=1e-14)
-            # At rest the contacts carry each body's weight: to 1e-2 of it, as settled as the run's end asks for.
+            in_plane = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+            np.testing.assert_allclose(long_axes(bodies), in_plane, rtol=0, atol=1e-14)
+            # At rest the walls carry the weight: to 1e-2 of it, as settled as the run's end asks for.
             weight = bodies["mass"].sum() * run.parameters["gravity_m_s2"]
             walls = contacts["wall"] == 1
             self.assertAlmostEqual(contacts["fy"][walls].sum() / weight, 1, delta=1e-2)
@@ -167,7 +168,8 @@ class Deposition(ProgramTest):
         (self.folder / "results").mkdir()
         (self.folder / "results" / "quick").symlink_to(self.top / "rods")
         example = (PACKAGE / "README.md").read_text().split("```python\n")[1].split("```")[0]
-        example += "assert axes.shape == (60, 3) and pressure.shape == (fields.y.size, fields.x.size) and peak > 0.9\n"
+        example += ("assert axes.shape == (60, 3) and peak > 0.9\n"
+                    "assert pressure.shape == (fields.y.size, fields.x.size)\n")
         done = subprocess.run([sys.executable, "-B", "-c", example], cwd=self.folder,
                               env={**os.environ, "PYTHONPATH": str(PACKAGE)}, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True)
@@ -186,8 +188,8 @@ class Deposition(ProgramTest):
     def test_ensemble(self):
         folders = [self.top / "rods", self.top / "arcs"]
         # Beds this low have no voids: the ensemble is there when the figures end.
-        subprocess.run([PROGRAMS / "rodpack", "ensemble", *folders, "-o", self.folder], stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
+        subprocess.run([PROGRAMS / "rodpack", "ensemble", *folders, "-o", self.folder],
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         curve = read_json(self.folder / "ensemble.json")["cases"]["smooth-AR5"]["curves"]["rdf"]["g"]
         table = read_table(self.folder / "smooth-AR5_rdf.csv")
         np.testing.assert_allclose(np.array(curve["mean"], float), table["g"], rtol=1e-9, atol=0)

@@ -31,8 +31,8 @@ class FileTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def write(self, name, content):
-        """Writes a file of the folder, a new one: many file systems wait for the disk when one is written over.
-        Returns its path."""
+        """Writes a file of the folder, a new one: many file systems wait for the disk when one is written
+        over. Returns its path."""
         file = self.folder / name
         file.parent.mkdir(parents=True, exist_ok=True)
         file.unlink(missing_ok=True)
@@ -40,7 +40,7 @@ class FileTest(unittest.TestCase):
         return file
 
     def refuses(self, read, file, line, *words):
-        """Expects a FormatError of `read` that is one line, names file and line, and has these words in it."""
+        """Expects a FormatError of `read` that is one line, names file and line, and holds these words."""
         with self.assertRaises(rodpack.FormatError) as caught:
             read(file)
         message = str(caught.exception)
@@ -65,7 +65,7 @@ class FileTest(unittest.TestCase):
                 read(cut)
 
     def damage_is_refused_or_harmless(self, read, file, check, changes=400):
-        """Bytes that were changed, taken out or put in: FormatError and nothing else, or data that `check` takes."""
+        """Changed, missing or new bytes: FormatError and nothing else, or data that `check` takes."""
         content = file.read_bytes()
         random = np.random.default_rng(1)
         refused = 0

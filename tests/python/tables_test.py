@@ -34,7 +34,8 @@ class Tables(FileTest):
 
     def test_fields_that_may_be_missing(self):
         file = self.write("a.csv", "case,sem\na,\nb,nan\nc,2\nd,inf\n")
-        self.refuses(lambda f: read_table(f).numbers("sem", missing=True), file, 5, "a finite number or none", "'inf'")
+        self.refuses(lambda f: read_table(f).numbers("sem", missing=True), file, 5,
+                     "a finite number or none", "'inf'")
         self.refuses(read_columns, file, 2, "column 'case'", "a finite number", "'a'")
         self.refuses(lambda f: read_table(f)["sem"], file, 2, "column 'sem'", "found ''")
         file = self.write("a.csv", "case,sem\na,\nb,nan\nc,2\n")
@@ -53,7 +54,8 @@ class Tables(FileTest):
         refused("x,y\n1,1.2.3\n", 2, "'1.2.3'")
         refused(b"x,y\n1,\0\n", 2, "NUL")
         refused(b"x,y\n\xff\xfe,1\n", 2, "expected text")
-        self.refuses(lambda f: read_table(f)["z"], self.write("a.csv", "x,y\n1,2\n"), 1, "no column 'z'", "x y")
+        file = self.write("a.csv", "x,y\n1,2\n")
+        self.refuses(lambda f: read_table(f)["z"], file, 1, "no column 'z'", "x y")
 
     def test_damage_is_refused_or_harmless(self):
         def check(columns):
@@ -84,7 +86,8 @@ class Json(FileTest):
         self.assertEqual(read_summary(file)["janssen_depth_over_dp"], None)
         for other in ("rodpack-analysis 2", "rodpack-ensemble 1"):
             file = self.write("summary.json", f'{{"format": "{other}"}}')
-            self.refuses(read_summary, file, None, "'rodpack-analysis 3'", f"'{other}'", "analyse the run again")
+            self.refuses(read_summary, file, None, "'rodpack-analysis 3'", f"'{other}'",
+                         "analyse the run again")
         self.refuses(read_summary, self.write("summary.json", "{}"), None, "'None'")
 
     def test_the_format_is_that_of_the_program(self):
@@ -96,8 +99,8 @@ class Study(FileTest):
     """The reduced study, as inputs/study/archive.py has packed its runs."""
 
     def test_every_table_of_its_results(self):
-        words = {"case", "quantity", "number", "averaged_from", "source", "name", "claim", "measured", "verdict",
-                 "test", "remark"}
+        words = {"case", "quantity", "number", "averaged_from", "source", "name", "claim", "measured",
+                 "verdict", "test", "remark"}
         files = [*STUDY.glob("*.csv"), *(REPOSITORY / "inputs" / "study").glob("*.csv")]
         self.assertGreater(len(files), 4)
         for file in files:
@@ -123,8 +126,9 @@ class Study(FileTest):
                 run.bodies
         # The coordination number is the mean of its distribution.
         counts = runs[0].table("forces_coordination")
-        mean = (counts["number"] * counts["particles_with_touching_particles"]).sum() / runs[0].summary["particles"]
-        self.assertAlmostEqual(mean, runs[0].summary["coordination_number"], delta=1e-12)
+        summary = runs[0].summary
+        touching = (counts["number"] * counts["particles_with_touching_particles"]).sum()
+        self.assertAlmostEqual(touching / summary["particles"], summary["coordination_number"], delta=1e-12)
 
     def test_a_folder_that_is_not_there(self):
         with self.assertRaisesRegex(FileNotFoundError, "no such run folder"):

@@ -33,12 +33,13 @@ PROPERTIES = "species:S:1:pos:R:3:orientation:R:4:aspherical_shape:R:3:velo:R:3:
 def write_capsules(bodies, out):
     """Adds a frame to the open file `out`: lengths in m, velocities in m/s."""
     if (bodies["curvature"] > 0).any():
-        raise rodpack.FormatError(bodies.file, bodies.line, "expected straight particles, found curved ones: OVITO "
-                                                            "has no bent capsule, open the spheres' dump in it")
+        raise rodpack.FormatError(bodies.file, bodies.line, "expected straight particles, found curved ones: "
+                                  "OVITO has no bent capsule, open the spheres' dump in it")
     (x, y, z), size = bodies.box[:, 0], np.ptp(bodies.box, axis=1)
     flags = " ".join("T" if each else "F" for each in bodies.periodic)
     out.write(f'{bodies.rows}\nLattice="{size[0]:.16g} 0 0 0 {size[1]:.16g} 0 0 0 {size[2]:.16g}" '
-              f'Origin="{x:.16g} {y:.16g} {z:.16g}" pbc="{flags}" Timestep={bodies.step} Properties={PROPERTIES}\n')
+              f'Origin="{x:.16g} {y:.16g} {z:.16g}" pbc="{flags}" Timestep={bodies.step} '
+              f'Properties={PROPERTIES}\n')
     length = 2 * (bodies["half_length"] - bodies["radius"])
     shape = np.stack([bodies["radius"], bodies["radius"], length], axis=1)
     table = np.hstack([bodies.stack("x", "y", "z"), to_ovito(multiply(quaternions(bodies), Z_TO_X)), shape,

@@ -15,5 +15,5 @@ from .run import Run
 from .tables import Table, read_table
 
 __version__ = "0.2"
-__all__ = ["Dump", "Fields", "FormatError", "Frame", "Run", "Table", "orientation", "read_dump", "read_fields",
-           "read_json", "read_summary", "read_table"]
+__all__ = ["Dump", "Fields", "FormatError", "Frame", "Run", "Table", "orientation", "read_dump",
+           "read_fields", "read_json", "read_summary", "read_table"]

@@ -94,7 +94,7 @@ class Dump:
         self.files = tuple(file for _, file in starts)
 
     def __iter__(self):
-        """Reads frame by frame. FormatError for the first that is malformed, and for a step that comes twice."""
+        """Reads frame by frame. FormatError at the first that is malformed or whose step came before."""
         seen = {}
         for file in self.files:
             for frame in _frames(file):
@@ -120,7 +120,8 @@ class Dump:
         for frame in Dump(earlier[-1:], self._last_step):
             if frame.step == step:
                 return frame
-        raise LookupError(f"no frame of step {step} in {', '.join(earlier[-1:] or self.files[:1]) or 'no file'}")
+        raise LookupError(f"no frame of step {step} in {' '.join(self.files[:1])}"
+                          f"{' and those after it' if len(self.files) > 1 else ''}")
 
 
 def read_dump(files):
@@ -160,7 +161,7 @@ def _frames(file):
 
 
 def _read_start(lines):
-    """Step and time (None where it is not said) of the frame that begins here; None at the end of the file."""
+    """Step and time (None where it is not said) of the frame that begins here; None at the file's end."""
     line = ""
     while line == "":
         line = lines.next()
@@ -225,7 +226,8 @@ def _read_box(lines):
         line = lines.need("a line 'lo hi' of the box bounds")
         found = [number(word) for word in line.split()]
         if len(found) != 2 or None in found or not found[0] < found[1]:
-            lines.fail(f"expected two numbers lo < hi (the bounds of an upright box), found '{shortened(line)}'")
+            lines.fail("expected two numbers lo < hi (the bounds of an upright box), found "
+                       f"'{shortened(line)}'")
         bounds[:] = found
     return box, tuple(flag[0] == "p" for flag in flags) or (False,) * 3
 
@@ -276,7 +278,8 @@ def _row(file, line, names, text):
     values = [number(word) for word in words]
     for name, word, value in zip(names, words, values):
         if value is None:
-            raise FormatError(file, line, f"column '{name}': expected a finite number, found '{shortened(word)}'")
+            raise FormatError(file, line, f"column '{name}': expected a finite number, found "
+                                          f"'{shortened(word)}'")
     return values
 
 
@@ -284,8 +287,8 @@ def _whole(file, header, name, values):
     low, high = WHOLE[name]
     bad = np.flatnonzero((values != np.round(values)) | (values < low) | (values > high))
     if bad.size:
-        raise FormatError(file, header + 1 + int(bad[0]), f"column '{name}': expected a whole number of {low} "
-                                                          f"to {high}, found {values[bad[0]]:g}")
+        raise FormatError(file, header + 1 + int(bad[0]), f"column '{name}': expected a whole number of "
+                                                          f"{low} to {high}, found {values[bad[0]]:.17g}")
     return values.astype(np.int64)
 
 

@@ -65,8 +65,8 @@ class Fields(Mapping):
         array = self[name]
         size = {4: 2, 9: 3}.get(len(self.components[name]))
         if size is None:
-            raise FormatError(self.file, None, f"field '{name}': expected a tensor of 4 or 9 components, found "
-                                               f"{len(self.components[name]) or 1}")
+            raise FormatError(self.file, None, f"field '{name}': expected a tensor of 4 or 9 components, "
+                                               f"found {len(self.components[name]) or 1}")
         return array.reshape(array.shape[:-1] + (size, size))
 
 
@@ -76,6 +76,14 @@ def read_fields(file):
     and any value that is not finite."""
     with open_regular(file) as stream:
         return _Image(str(file), stream.read()).fields()
+
+
+def _value(word, dtype):
+    """The number of this type that a word is; None for anything else."""
+    if dtype.kind == "f":
+        return number(word)
+    value, range_of = whole_number(word), np.iinfo(dtype)
+    return value if value is not None and range_of.min <= value <= range_of.max else None
 
 
 class _Image:
@@ -95,7 +103,7 @@ class _Image:
             self.root = ElementTree.fromstring(content)
         except (ElementTree.ParseError, ValueError) as error:
             line = getattr(error, "position", (None,))[0]
-            raise FormatError(file, line, f"expected VTK image data (XML), found an error in it: {error}") from None
+            raise FormatError(file, line, f"expected VTK image data (XML), found an error: {error}") from None
         if match:
             self.appended_encoding = self.root.find("AppendedData").get("encoding", "")
 
@@ -132,7 +140,8 @@ class _Image:
         extent = self.numbers(image, "WholeExtent", 6, whole=True)
         if len(pieces) != 1 or self.numbers(pieces[0], "Extent", 6, whole=True) != extent:
             self.fail("expected one piece that is the whole image")
-        if image.get("Direction") is not None and self.numbers(image, "Direction", 9) != [1, 0, 0, 0, 1, 0, 0, 0, 1]:
+        upright = [1, 0, 0, 0, 1, 0, 0, 0, 1]
+        if "Direction" in image.attrib and self.numbers(image, "Direction", 9) != upright:
             self.fail(f"expected a grid along x, y, z, found Direction '{shortened(image.get('Direction'))}'")
         count = tuple(extent[2 * k + 1] - extent[2 * k] + 1 for k in range(3))
         if min(count) < 1:
@@ -154,9 +163,12 @@ class _Image:
             values = self.values(element, name, math.prod(count) * width)
             if not np.isfinite(values).all():
                 place = int(np.flatnonzero(~np.isfinite(values))[0])
-                self.fail(f"field '{name}': expected finite numbers, found {values[place]} at place {place // width}")
+                self.fail(f"field '{name}': expected finite numbers, found {values[place]} at place "
+                          f"{place // width}")
             arrays[name] = values.reshape(shape + (width,) if width > 1 else shape)
-            components[name] = tuple(element.get(f"ComponentName{k}", "xyz"[k] if width == 3 else str(k)) for k in range(width)) * (width > 1)
+            unnamed = "xyz" if width == 3 else [str(k) for k in range(width)]
+            names = tuple(element.get(f"ComponentName{k}", unnamed[k]) for k in range(width))
+            components[name] = names if width > 1 else ()
         return Fields(self.file, origin, spacing, count, self.time(image), arrays, components)
 
     def time(self, image):
@@ -172,12 +184,14 @@ class _Image:
         where = f"field '{name}'"
         if form == "ascii":
             words = (element.text or "").split()
-            found = [number(word) for word in words]
+            found = [_value(word, dtype) for word in words]
             if None in found:
-                self.fail(f"{where}: expected finite numbers, found '{shortened(words[found.index(None)])}'")
+                self.fail(f"{where}: expected finite numbers of {element.get('type')}, found "
+                          f"'{shortened(words[found.index(None)])}'")
             if len(found) != size:
-                self.fail(f"{where}: expected {size} numbers, one for each place and component, found {len(found)}")
-            return np.array(found).astype(dtype.newbyteorder("="))
+                self.fail(f"{where}: expected {size} numbers, one for each place and component, found "
+                          f"{len(found)}")
+            return np.array(found, dtype.newbyteorder("="))
         if form == "binary":
             source = _Base64(self, where, (element.text or "").strip().encode())
         else:
@@ -185,7 +199,8 @@ class _Image:
                 self.fail(f"{where}: expected appended data, found none in the file")
             offset = self.numbers(element, "offset", 1, whole=True)[0]
             if not 0 <= offset < len(self.appended):
-                self.fail(f"{where}: expected an offset within the {len(self.appended)} bytes appended, found {offset}")
+                self.fail(f"{where}: expected an offset below {len(self.appended)}, the bytes appended, found "
+                          f"{offset}")
             known = {"base64": _Base64, "raw": _Raw}
             if self.appended_encoding not in known:
                 self.fail(f"AppendedData encoding: expected {' or '.join(known)}, found "
@@ -204,8 +219,8 @@ class _Image:
         return head[self.header.itemsize:]
 
     def compressed_bytes(self, source, where, size):
-        """Layout: number of blocks, size of a block and of the last one before compression (0: as the others),
-        size of each compressed; coded apart in base64, the blocks behind it."""
+        """Layout: number of blocks, size of a block and of the last one before compression (0: as the
+        others), size of each compressed; then the blocks. In base64 both are coded by themselves."""
         word = self.header.itemsize
         blocks = int(np.frombuffer(source.peek(word), self.header)[0])
         # A block is larger than its header; the whole is no longer than the file.
@@ -272,4 +287,5 @@ class _Base64(_Raw):
         try:
             return base64.b64decode(stored, validate=True)
         except (binascii.Error, ValueError):
-            self.image.fail(f"{self.where}: expected data in base64, found '{shortened(stored.decode('latin-1'))}'")
+            found = shortened(stored.decode("latin-1"))
+            self.image.fail(f"{self.where}: expected data in base64, found '{found}'")

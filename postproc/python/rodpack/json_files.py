@@ -38,7 +38,8 @@ def read_json(file):
     except FormatError:
         raise
     except json.JSONDecodeError as error:
-        raise FormatError(file, error.lineno, f"expected a JSON object, found an error in it here: {error.msg}") from None
+        raise FormatError(file, error.lineno,
+                          f"expected a JSON object, found an error in it here: {error.msg}") from None
     except (ValueError, RecursionError) as error:  # not UTF-8, a number of thousands of digits, too deep
         refuse(f"expected a JSON object, found {shortened(str(error))}")
     if not isinstance(result, dict):
@@ -48,7 +49,7 @@ def read_json(file):
 
 def read_summary(file):
     """Reads analysis/summary.json as a dict; None for a number that could not be taken ("notes" say why).
-    FormatError as read_json(), and for another "format" than SUMMARY_FORMAT: its numbers mean something else."""
+    FormatError as read_json(), and for another "format" than SUMMARY_FORMAT: its numbers mean others."""
     summary = read_json(file)
     if summary.get("format") != SUMMARY_FORMAT:
         raise FormatError(file, None, f"key 'format': expected '{SUMMARY_FORMAT}', found "

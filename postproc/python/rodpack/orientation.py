@@ -21,7 +21,8 @@ def quaternions(bodies):
     bad = np.flatnonzero(np.abs(norm - 1) > 1e-3)
     if bad.size:
         raise FormatError(bodies.file, bodies.line + 1 + int(bad[0]),
-                          f"columns qw qx qy qz: expected a unit quaternion, found one of norm {norm[bad[0]]:.4g}")
+                          "columns qw qx qy qz: expected a unit quaternion, found one of norm "
+                          f"{norm[bad[0]]:.4g}")
     return q / norm[:, np.newaxis]
 
 
@@ -42,8 +43,8 @@ def rotate(q, v):
 
 
 def long_axes(bodies):
-    """Unit vectors along the bodies' long axes in space, rows x 3. Plain spheres (nspheres 1) have none: theirs
-    mean nothing."""
+    """Unit vectors along the bodies' long axes in space, rows x 3. Plain spheres (nspheres 1) have none:
+    theirs mean nothing."""
     return rotate(quaternions(bodies), [1.0, 0.0, 0.0])
 
 

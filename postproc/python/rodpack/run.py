@@ -80,8 +80,8 @@ class Run:
         return self._dump("contacts")
 
     def _dump(self, kind):
-        """Dumps after the step at which result.json says the run ended are left out: a run that was resumed may
-        end earlier than the one before had come, and those are of a course that it did not take."""
+        """Dumps after the step at which result.json says the run ended are left out: a run that was resumed
+        may end earlier than the one before had come, and those are of a course that it did not take."""
         files = [*self.folder.glob(f"dumps/{kind}.*.dump"), *self.folder.glob(f"dumps/{kind}.*.dump.gz")]
         if not files:
             raise FileNotFoundError(f"{self.folder}/dumps/{kind}.*.dump: no such file")

@@ -87,7 +87,8 @@ def read_table(file):
             numbers.append(lines.number)
             fields.append(row)
         if names is None:
-            raise FormatError(lines.file, None, "expected a line with the names of the columns, found an empty file")
+            raise FormatError(lines.file, None,
+                              "expected a line with the names of the columns, found an empty file")
         return Table(lines.file, header, names, numbers, fields)
 
 

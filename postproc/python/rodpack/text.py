@@ -72,13 +72,14 @@ class Lines:
         if not raw:
             return None
         if len(raw) > LONGEST_LINE:
-            self.fail(f"expected lines of at most {LONGEST_LINE} characters, found a longer one after this line")
+            self.fail(f"expected lines of at most {LONGEST_LINE} characters, found a longer one after this")
         self.number += 1
         self.ended = raw.endswith(b"\n")
         try:
             line = raw.decode("utf-8")
         except UnicodeDecodeError:
-            self.fail(f"expected text, found '{shortened(raw.decode('latin-1'))}': the file is damaged, or no text")
+            found = shortened(raw.decode("latin-1"))
+            self.fail(f"expected text, found '{found}': the file is damaged, or no text")
         if "\0" in line:
             self.fail("expected text, found a NUL character: the file is damaged, or no text")
         return line.rstrip("\r\n")
