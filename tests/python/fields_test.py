@@ -126,7 +126,8 @@ class Refusals(FileTest):
         self.changed("1 2.5", "1 2 3", None, "expected 2 numbers", "found 3")
         self.changed("1 2.5", "1 nan", None, "finite numbers", "'nan'")
         self.changed("1 2.5", "1 1e999", None, "finite numbers", "'1e999'")
-        self.changed("1 2.5", "1 256", None, "numbers of UInt8", "'256'", text=PLAIN.replace("Float64", "UInt8"))
+        self.changed("1 2.5", "1 256", None, "numbers of UInt8", "'256'",
+                     text=PLAIN.replace("Float64", "UInt8"))
         self.changed("x", "x", None, "numbers of Int32", "'2.5'", text=PLAIN.replace("Float64", "Int32"))
         self.changed('Name="phi"', 'Name="phi" NumberOfComponents="2"', None, "expected 4 numbers")
         self.changed('Name="phi"', 'Name="phi" NumberOfComponents="0"', None, "one component or more")

@@ -199,8 +199,8 @@ class _Image:
                 self.fail(f"{where}: expected appended data, found none in the file")
             offset = self.numbers(element, "offset", 1, whole=True)[0]
             if not 0 <= offset < len(self.appended):
-                self.fail(f"{where}: expected an offset below {len(self.appended)}, the bytes appended, found "
-                          f"{offset}")
+                self.fail(f"{where}: expected an offset below {len(self.appended)}, where the data end, "
+                          f"found {offset}")
             known = {"base64": _Base64, "raw": _Raw}
             if self.appended_encoding not in known:
                 self.fail(f"AppendedData encoding: expected {' or '.join(known)}, found "

@@ -49,7 +49,7 @@ def read_json(file):
 
 def read_summary(file):
     """Reads analysis/summary.json as a dict; None for a number that could not be taken ("notes" say why).
-    FormatError as read_json(), and for another "format" than SUMMARY_FORMAT: its numbers mean others."""
+    FormatError as read_json(), and for another "format" than SUMMARY_FORMAT, since names may mean others."""
     summary = read_json(file)
     if summary.get("format") != SUMMARY_FORMAT:
         raise FormatError(file, None, f"key 'format': expected '{SUMMARY_FORMAT}', found "
