@@ -186,6 +186,8 @@ class Refusals(FileTest):
         self.refused(b"ITEM: TIMESTEP\n\xff\xfe\n", 2, "expected text")
         self.refused("hello\n", 1, "expected 'ITEM: TIMESTEP', found 'hello'")
         self.refused("\x1b[31mred\n", 1, "found '?[31mred'")
+        self.refused(frame(1, "1\n").replace("id x", "id \x1b[2Jx"), 10, "(id ?[2Jx)")
+        self.refused(frame(1, "1 a\n").replace("id x", "id \x1b[2Jx"), 10, "column '?[2Jx'")
         self.refused("x" * 1_000_001, None, "at most 1000000 characters")
 
     def test_heads_that_are_no_heads(self):

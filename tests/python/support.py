@@ -2,6 +2,7 @@
 """What the tests of postproc/python/ share: the package, a fresh folder, how a refusal reads."""
 
 import os
+import pickle
 import sys
 import tempfile
 import unittest
@@ -48,7 +49,9 @@ class FileTest(unittest.TestCase):
         self.assertTrue(message.startswith(where), message)
         self.assertEqual(caught.exception.line, line)
         self.assertEqual(caught.exception.file, str(file))
-        self.assertNotIn("\n", message)
+        self.assertTrue(message.isprintable(), repr(message))  # one line, nothing for a terminal to obey
+        # It comes through to another process.
+        self.assertEqual(str(pickle.loads(pickle.dumps(caught.exception))), message)
         for word in words:
             self.assertIn(word, message)
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .errors import FormatError, no_such_column, shortened
+from .errors import FormatError, listed, no_such_column, shortened
 from .text import Lines, number, whole_number
 
 # Whole numbers up to here are read by way of a double to the last digit; no larger one becomes one of them.
@@ -274,11 +274,11 @@ def _read_rows(lines, names, count):
 def _row(file, line, names, text):
     words = text.split()
     if len(words) != len(names):
-        raise FormatError(file, line, f"expected {len(names)} fields ({' '.join(names)}), found {len(words)}")
+        raise FormatError(file, line, f"expected {len(names)} fields ({listed(names)}), found {len(words)}")
     values = [number(word) for word in words]
     for name, word, value in zip(names, words, values):
         if value is None:
-            raise FormatError(file, line, f"column '{name}': expected a finite number, found "
+            raise FormatError(file, line, f"column '{shortened(name)}': expected a finite number, found "
                                           f"'{shortened(word)}'")
     return values
 

@@ -9,10 +9,13 @@ class FormatError(ValueError):
     """
 
     def __init__(self, file, line, message):
-        place = str(file) if line is None else f"{file}:{line}"
-        super().__init__(f"{place}: {message}")
-        self.file = str(file)
-        self.line = line
+        # The arguments are kept as they are, so that the error comes through to another process.
+        super().__init__(str(file), line, message)
+        self.file, self.line = str(file), line
+
+    def __str__(self):
+        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        return f"{place}: {self.args[2]}"
 
 
 def shortened(text):
@@ -21,6 +24,11 @@ def shortened(text):
     return shown if len(text) <= 60 else shown + "..."
 
 
+def listed(names):
+    """Names of columns for a message, 50 at most."""
+    return " ".join([shortened(name) for name in names[:50]] + ["..."] * (len(names) > 50))
+
+
 def no_such_column(file, line, name, names):
     """The error for a column that a file does not have; lists those that it has."""
-    return FormatError(file, line, f"no column '{shortened(str(name))}'; the columns are: {' '.join(names)}")
+    return FormatError(file, line, f"no column '{shortened(str(name))}'; the columns are: {listed(names)}")

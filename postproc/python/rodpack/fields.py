@@ -65,8 +65,8 @@ class Fields(Mapping):
         array = self[name]
         size = {4: 2, 9: 3}.get(len(self.components[name]))
         if size is None:
-            raise FormatError(self.file, None, f"field '{name}': expected a tensor of 4 or 9 components, "
-                                               f"found {len(self.components[name]) or 1}")
+            raise FormatError(self.file, None, f"field '{shortened(name)}': expected a tensor of 4 or 9 "
+                                               f"components, found {len(self.components[name]) or 1}")
         return array.reshape(array.shape[:-1] + (size, size))
 
 
@@ -159,12 +159,12 @@ class _Image:
             if "NumberOfComponents" in element.attrib:
                 width = self.numbers(element, "NumberOfComponents", 1, whole=True)[0]
             if width < 1:
-                self.fail(f"field '{name}': expected one component or more, found {width}")
+                self.fail(f"field '{shortened(name)}': expected one component or more, found {width}")
             values = self.values(element, name, math.prod(count) * width)
             if not np.isfinite(values).all():
                 place = int(np.flatnonzero(~np.isfinite(values))[0])
-                self.fail(f"field '{name}': expected finite numbers, found {values[place]} at place "
-                          f"{place // width}")
+                self.fail(f"field '{shortened(name)}': expected finite numbers, found {values[place]} at "
+                          f"place {place // width}")
             arrays[name] = values.reshape(shape + (width,) if width > 1 else shape)
             unnamed = "xyz" if width == 3 else [str(k) for k in range(width)]
             names = tuple(element.get(f"ComponentName{k}", unnamed[k]) for k in range(width))
@@ -181,7 +181,7 @@ class _Image:
         """The `size` values of a DataArray."""
         dtype = np.dtype(self.order + self.choice(element, "type", _TYPES))
         form = self.choice(element, "format", {each: each for each in ("ascii", "binary", "appended")})
-        where = f"field '{name}'"
+        where = f"field '{shortened(name)}'"
         if form == "ascii":
             words = (element.text or "").split()
             found = [_value(word, dtype) for word in words]

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .errors import FormatError, no_such_column, shortened
+from .errors import FormatError, listed, no_such_column, shortened
 from .text import Lines, number
 
 
@@ -52,8 +52,9 @@ class Table(Mapping):
             if value is None:
                 value = number(word)
             if value is None:
-                raise FormatError(self.file, self._lines[row], f"column '{name}': expected a finite number"
-                                  f"{' or none' if missing else ''}, found '{shortened(word)}'")
+                expected = "a finite number or none" if missing else "a finite number"
+                raise FormatError(self.file, self._lines[row], f"column '{shortened(name)}': expected {expected}, "
+                                                               f"found '{shortened(word)}'")
             values[row] = value
         return values
 
@@ -82,7 +83,7 @@ def read_table(file):
                 continue
             row = _split(text, comma)
             if len(row) != len(names):
-                lines.fail(f"expected {len(names)} fields ({shortened(' '.join(names))}), found {len(row)}: "
+                lines.fail(f"expected {len(names)} fields ({listed(names)}), found {len(row)}: "
                            f"'{shortened(text)}'")
             numbers.append(lines.number)
             fields.append(row)
