@@ -53,8 +53,8 @@ class Table(Mapping):
                 value = number(word)
             if value is None:
                 expected = "a finite number or none" if missing else "a finite number"
-                raise FormatError(self.file, self._lines[row], f"column '{shortened(name)}': expected {expected}, "
-                                                               f"found '{shortened(word)}'")
+                raise FormatError(self.file, self._lines[row], f"column '{shortened(name)}': expected "
+                                                               f"{expected}, found '{shortened(word)}'")
             values[row] = value
         return values
 
