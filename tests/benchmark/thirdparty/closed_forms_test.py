@@ -12,6 +12,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 
+import chung_ooi  # noqa: E402
 import laws  # noqa: E402
 import mfix  # noqa: E402
 import schwager_poeschel  # noqa: E402
@@ -59,6 +60,42 @@ class Laws(unittest.TestCase):
     def test_an_impact_with_tension_has_the_other_restitution(self):
         eta = laws.damping_ratio_with_tension(0.7)
         self.assertAlmostEqual(laws.Impact(1.0, 1.0, eta, 1.0, tension=True).end_speed, 0.7, delta=1e-12)
+
+    def test_hertz_with_its_dashpot_rebounds_like_the_linear_law(self):
+        # d'' = -d^(3/2) - sqrt(5) eta d^(1/4) d' until its force is zero, by Runge-Kutta. It starts a little behind touch,
+        # where d = t and the dashpot has taken 4/5 sqrt(5) eta d^(5/4) off the speed.
+        for told in 0.4, 0.8:
+            eta = laws.damping_ratio_with_tension(told)
+
+            def force(d, v):
+                return -d**1.5 - sqrt(5) * eta * d**0.25 * v
+
+            d, dt = 1e-9, 1e-4
+            v = 1 - 0.8 * sqrt(5) * eta * d**1.25
+            while force(d, v) < 0:
+                a = v, force(d, v)
+                b = v + 0.5 * dt * a[1], force(d + 0.5 * dt * a[0], v + 0.5 * dt * a[1])
+                c = v + 0.5 * dt * b[1], force(d + 0.5 * dt * b[0], v + 0.5 * dt * b[1])
+                e = v + dt * c[1], force(d + dt * c[0], v + dt * c[1])
+                before = v
+                d, v = (x + dt / 6 * (p + 2 * q + 2 * r + s) for x, p, q, r, s in zip((d, v), a, b, c, e))
+            # The root d^(1/4) at touch limits the order to 5/4.
+            self.assertAlmostEqual(-before, laws.hertz_restitution(told), delta=5 * dt**1.25)
+            self.assertAlmostEqual(laws.hertz_input_for(laws.hertz_restitution(told)), told, delta=1e-12)
+
+    def test_two_unequal_spheres_share_the_impulse_of_the_cap(self):
+        # Sliding all through, the slip loses (1/m1 + 1/m2)(1 + 5/2) times 2 mu v m, m the reduced mass, for thin overlaps.
+        radius, mass, speed, friction = 1.0, 1.0, 1e-6, 0.1
+        rebound = laws.ObliqueImpact(radius, mass, 1.0, 1.0, friction, speed, 1.0, partner=(1.5, 3.0))
+        lost = 1.0 - rebound.velocity - rebound.spins[0] - 1.5 * rebound.spins[1]
+        self.assertAlmostEqual(lost / (7 * friction * speed), 1.0, delta=1e-6)
+        self.assertAlmostEqual(rebound.spins[1] / rebound.spins[0], 1 / 1.5 / 3, delta=1e-6)
+
+    def test_a_partner_that_cannot_move_is_a_wall(self):
+        wall, heavy = (laws.ObliqueImpact(1.0, 1.0, 1.0, 0.8, 0.3, 0.01, 0.004, exponent=0.5,
+                                          duration=laws.hertz_duration(1.0, 1.0, 0.75, 0.01)[0], partner=partner)
+                       for partner in (None, (5.0, 1e15)))
+        self.assertAlmostEqual(heavy.spin, wall.spin, delta=1e-14)
 
     def test_gross_sliding_has_the_impulse_of_the_cap(self):
         # mu k d integrated is 2 mu m v; its moment at the lever r - d/2 lacks mu k / 2 times the integral of d^2.
@@ -149,6 +186,23 @@ class ClosedForms(unittest.TestCase):
         # A lever r would be off by pi/8 of the depth over the radius.
         self.assertGreater(pi / 8 * depth / radius, 10 * lost_in_contact(steps))
         self.assertAlmostEqual(found, 1.0, delta=lost_in_contact(steps))
+
+    def test_hertz_rebounds_as_it_has_been_told_for_the_contact_without_tension(self):
+        # Test 3 of Chung and Ooi. At 100 steps per contact what the kink of touch leaves is below 1e-3.
+        contact, _ = laws.hertz_duration(0.0025, laws.sphere_mass(0.0025, 4000), 1e10, 3.9)
+        for restitution in 0.8, 0.4:
+            found = chung_ooi.impact(RUN, OURS._replace(law="hertz"), 100, contact, 0.0025, 4000, 2e10 * 0.91, 0.3, 3.9,
+                                     laws.hertz_input_for(restitution), False)[2] / 3.9
+            self.assertAlmostEqual(found, restitution, delta=1e-3)
+
+    def test_two_unequal_spheres_that_slide_all_through_lose_mu_times_the_normal_impulse(self):
+        # Test 8 of Chung and Ooi with e = 0.5: 7/2 mu (1 + e) v_n of the slip, whatever the masses. The lever r - d/2
+        # takes 5/7 of d/(2 r) off, 2e-4 here.
+        lost, slip = 3.5 * chung_ooi.FRICTION * 1.5 * chung_ooi.SPEED, 1.0
+        for partner in chung_ooi.HEAVY, chung_ooi.LIGHT:
+            left = chung_ooi.slip_after(RUN, OURS._replace(law="hertz_spring"), 100, partner, 0.0, slip, cap="on",
+                                        restitution=laws.hertz_input_for(0.5))
+            self.assertAlmostEqual((slip - left) / lost, 1.0, delta=1e-3)
 
     def test_two_stacked_particles_follow_their_linear_motion(self):
         radius, height, stiffness, gravity, seconds = 0.5e-3, 1.8e-3, 1e3, mfix.GRAVITY, 1e-3

@@ -44,6 +44,23 @@ def damping_ratio_with_tension(restitution):
     return -log(restitution) / sqrt(pi**2 + log(restitution)**2)
 
 
+def hertz_input_for(restitution):
+    """What LIGGGHTS's `model hertz` has to be told for a sphere to rebound with `restitution` under `limitForce on`.
+
+    F = k d^(3/2) + eta sqrt(5 k m) d^(1/4) d', eta from `coefficientRestitution` as in damping_ratio_with_tension. In the
+    time s, ds = d^(1/4) dt, z = d^(5/4) is the linear spring and dashpot, z'' + sqrt(5 k / m) eta z' + 5 k / (4 m) z = 0,
+    with z' = 5/4 d' (Antypov and Elliott, EPL 94, 50004, 2011). Its force is zero where that of the linear law is, so the
+    restitution of the contact without tension is the linear law's, too.
+    """
+    eta = damping_ratio_without_tension(restitution)
+    return exp(-pi * eta / sqrt(1 - eta**2))
+
+
+def hertz_restitution(told):
+    """Its inverse: with which restitution a sphere rebounds that is told `told`."""
+    return restitution_without_tension(damping_ratio_with_tension(told))
+
+
 class Impact:
     """A sphere that touches a wall at time 0 with the closing speed `speed`, under a gravity that presses it on.
 
@@ -146,6 +163,7 @@ def elastic_overlaps(mass, stiffness, exponent, speed, duration, steps):
 class ObliqueImpact:
     """A sphere without gravity and without dashpots meets a wall obliquely; Coulomb's cap mu F_n.
 
+    `partner`: a second sphere (radius, mass) at rest in place of the wall; the velocities are then relative ones.
     F_n = kn d^(1 + exponent), F_t = kt d^exponent s: linear, or Hertz's with the exponent 1/2. The tangential motion
     is integrated by the midpoint rule in `steps` steps of the contact, of `duration` (s) where it is not linear, with
     the spring cut to the cap at the end of each (second order in the step). `lever` gives the lever of the friction
@@ -153,25 +171,34 @@ class ObliqueImpact:
     """
 
     def __init__(self, radius, mass, kn, kt, friction, normal_speed, tangential_speed, spin=0.0,
-                 lever=lambda r, d: r - 0.5 * d, exponent=0.0, duration=None, steps=20000):
+                 lever=lambda r, d: r - 0.5 * d, exponent=0.0, duration=None, steps=20000, partner=None):
+        spheres = [(radius, mass)] + ([partner] if partner else [])
+        mass = 1 / sum(1 / m for _, m in spheres)
         duration = duration or contact_time(kn, mass)
         dt, overlaps = elastic_overlaps(mass, kn, exponent, normal_speed, duration, steps)
-        inertia = 0.4 * mass * radius**2
-        v, w, spring = tangential_speed, spin, 0.0
+        spins = [spin, 0.0][:len(spheres)]
+        v, spring = tangential_speed, 0.0
+
+        def turns(force, overlap):
+            """Rates of the spins."""
+            return [force * lever(r, overlap) / (0.4 * m * r**2) for r, m in spheres]
+
+        def slip(velocity, spins, overlap):
+            """Spins are counted so that friction changes them and the velocity with the same sign."""
+            return velocity + sum(lever(r, overlap) * w for (r, _), w in zip(spheres, spins))
+
         for begin, middle, end in zip(overlaps[0::2], overlaps[1::2], overlaps[2::2]):
-            # The surface slips at v + lever w: w is counted so that friction changes both with the same sign.
-            arm = lever(radius, begin)
             force = -kt * begin**exponent * spring
-            half_v, half_w = v + 0.5 * dt * force / mass, w + 0.5 * dt * force * arm / inertia
-            force = -kt * middle**exponent * (spring + 0.5 * dt * (v + arm * w))
+            half_v = v + 0.5 * dt * force / mass
+            half_spins = [w + 0.5 * dt * rate for w, rate in zip(spins, turns(force, begin))]
+            force = -kt * middle**exponent * (spring + 0.5 * dt * slip(v, spins, middle))
             cap = friction * kn * middle**(1 + exponent)
             force = max(-cap, min(cap, force))
-            arm = lever(radius, middle)
-            v += dt * force / mass
-            w += dt * force * arm / inertia
             longest = friction * kn / kt * end
-            spring = max(-longest, min(longest, spring + dt * (half_v + arm * half_w)))
-        self.velocity, self.spin = v, w
+            spring = max(-longest, min(longest, spring + dt * slip(half_v, half_spins, middle)))
+            v += dt * force / mass
+            spins = [w + dt * rate for w, rate in zip(spins, turns(force, middle))]
+        self.velocity, self.spin, self.spins = v, spins[0], spins
 
 
 def damped_slip(radius, mass, kn, kt, eta, friction, normal_speed, slip, steps=20000):
