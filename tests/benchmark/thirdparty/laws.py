@@ -201,6 +201,52 @@ class ObliqueImpact:
         self.velocity, self.spin, self.spins = v, spins[0], spins
 
 
+def impulse(masses, inertias, arms, closing_speed, restitution):
+    """Of two rigid bodies that meet without friction, kg m/s; `arms`: of the line of impact about their centres, m."""
+    reduced = 1 / sum(1 / m + h**2 / i for m, i, h in zip(masses, inertias, arms))
+    return (1 + restitution) * closing_speed * reduced
+
+
+def parallel_dumbbells(mass, inertia, spacing, radius, stiffness, damping, speed, steps=2000):
+    """Velocity along x and spin of a dumbbell after it has met an equal one that comes the other way.
+
+    Both stand across x, +- `speed`, offset so that a sphere of each meets one of the other head-on. Each turns about the
+    point half-way between, as the other one does, so one sphere of one body says it all: at the angle w it is at
+    r = (X, Y) + s/2 (-sin w, cos w) from that point, and F = k d + c d', d = 2 (R - |r|), pushes it away. Runge-Kutta's
+    fourth order in `steps` steps of the contact from touch on, the last one cut where the force ends.
+    """
+    arm = 0.5 * spacing
+    reduced = 0.5 / (1 / mass + arm**2 / inertia)
+    dt = contact_time(stiffness, reduced) / steps
+
+    def pushed(s):
+        x, y, turned, vx, vy, w = s
+        sine, cosine = sin(turned), cos(turned)
+        rx, ry = x - arm * sine, y + arm * cosine
+        distance = sqrt(rx**2 + ry**2)
+        nx, ny = rx / distance, ry / distance
+        rate = -2 * (nx * (vx - arm * cosine * w) + ny * (vy - arm * sine * w))
+        return stiffness * 2 * (radius - distance) + damping * rate, nx, ny, arm * (-sine * ny - cosine * nx)
+
+    def rates(s):
+        force, nx, ny, lever = pushed(s)
+        return (*s[3:], force * nx / mass, force * ny / mass, force * lever / inertia)
+
+    def advanced(s, h):
+        a = rates(s)
+        b = rates([x + 0.5 * h * r for x, r in zip(s, a)])
+        c = rates([x + 0.5 * h * r for x, r in zip(s, b)])
+        d = rates([x + h * r for x, r in zip(s, c)])
+        return [x + h / 6 * (p + 2 * q + 2 * r + t) for x, p, q, r, t in zip(s, a, b, c, d)]
+
+    state = advanced([-radius, -arm, 0.0, speed, 0.0, 0.0], dt)
+    while pushed(advanced(state, dt))[0] > 0:
+        state = advanced(state, dt)
+    last = root(lambda h: pushed(advanced(state, h))[0], 0.0, dt)
+    _, _, _, vx, vy, w = advanced(state, last)
+    return vx, vy, w
+
+
 def damped_slip(radius, mass, kn, kt, eta, friction, normal_speed, slip, steps=20000):
     """Slip of the surface after an oblique impact with dashpots (eta along both directions) under the cap mu F_n.
 

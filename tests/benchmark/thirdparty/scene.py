@@ -4,7 +4,7 @@ import os
 import subprocess
 import tempfile
 from collections import namedtuple
-from math import sqrt
+from math import cos, sin, sqrt
 from pathlib import Path
 
 DECK = Path(__file__).with_name("in.spheres")
@@ -20,7 +20,28 @@ STOCK_BODY = Method("multisphere", "multisphere", 1, "hooke")
 
 
 def sphere(y=0.0, vy=0.0, x=0.0, vx=0.0, z=0.0, wz=0.0, radius=1e-3, density=2500.0, frozen=0):
-    return dict(x=x, y=y, z=z, vx=vx, vy=vy, wz=wz, diameter=2 * radius, density=density, frozen=frozen)
+    return dict(x=x, y=y, z=z, vx=vx, vy=vy, wz=wz, diameter=2 * radius, density=density, frozen=frozen,
+                chain="aspect_ratio 1", turn="1 0 0 0")
+
+
+def dumbbell(mass, spacing, angle=0.0, **settings):
+    """Two equal spheres of `mass` (kg) each in one rigid body, `spacing` (m) apart, which is half a diameter or less.
+
+    Their line stands at `angle` with x; they overlap, and count twice where they do. The rest as for a sphere.
+    """
+    body = sphere(**settings)
+    radius = 0.5 * body["diameter"]
+    along, across = dumbbell_inertia(mass, spacing, radius)
+    body["chain"] = (f"aspect_ratio {1 + 0.5 * spacing / radius!r} "
+                     f"mass given {2 * mass!r} {along!r} {across!r} {across!r}")
+    body["turn"] = f"{cos(0.5 * angle)!r} 0 0 {sin(0.5 * angle)!r}"
+    return body
+
+
+def dumbbell_inertia(mass, spacing, radius):
+    """Moments about the line of the two spheres and across it, kg m^2."""
+    along = 0.8 * mass * radius**2
+    return along, along + 0.5 * mass * spacing**2
 
 
 def spring_scene(spheres, dt, steps, **settings):
