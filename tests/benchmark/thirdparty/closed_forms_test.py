@@ -7,13 +7,14 @@ With h = omega dt = pi / N at N steps per contact, order 3 changes an undamped a
 import os
 import sys
 import unittest
-from math import log2, pi, sqrt
+from math import exp, log2, pi, sqrt
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 
 import chung_ooi  # noqa: E402
 import laws  # noqa: E402
+import mercurydpm_fields  # noqa: E402
 import mfix  # noqa: E402
 import schwager_poeschel  # noqa: E402
 import spheral  # noqa: E402
@@ -43,6 +44,12 @@ def gross_sliding(method, cap, steps_per_contact):
                          mu=friction, walls=1, half=0.1, cap=cap)
     end = RUN(scene, method)[-1][1][0]
     return (slip - end["vx"]) / (friction * speed), (end["vy"] + speed) / speed
+
+
+def simpson(function, end, steps=2000):
+    """Integral from 0 to `end`."""
+    h = end / steps
+    return h / 3 * sum((1 if n in (0, steps) else 4 if n % 2 else 2) * function(n * h) for n in range(steps + 1))
 
 
 class Laws(unittest.TestCase):
@@ -110,6 +117,34 @@ class Laws(unittest.TestCase):
             off.append((vx - stiff[0], spin - stiff[1]))
         for coarse, fine in zip(*off):
             self.assertAlmostEqual(coarse / fine, 10.0, delta=0.1)
+
+    def test_kernels_are_normalised_and_have_their_standard_deviation(self):
+        # Simpson's rule in the distance, weighted by the circle or sphere; the variance of the distance is D scale^2.
+        # Up to its radius Lucy's kernel is a polynomial of degree 4, times at most q^4 here; the Gaussian is smooth.
+        profiles = {"lucy": lambda q: (1 + 3 * q) * (1 - q)**3, "heaviside": lambda q: 1.0}
+        kernels = [(dimension, radius, lambda r, peak=laws.KERNEL_PEAK[kernel, dimension] / radius**dimension,
+                    radius=radius, kernel=kernel: peak * profiles[kernel](r / radius))
+                   for (kernel, dimension), radius in laws.KERNEL_RADIUS.items()]
+        kernels += [(dimension, 9.0, lambda r, dimension=dimension: laws.gaussian_peak(1, dimension) * exp(-r**2 / 2))
+                    for dimension in (2, 3)]
+        for dimension, radius, kernel in kernels:
+            shell = {2: 2 * pi, 3: 4 * pi}[dimension]
+            self.assertAlmostEqual(simpson(lambda r: shell * r**(dimension - 1) * kernel(r), radius), 1.0, delta=1e-11)
+            variance = simpson(lambda r: shell * r**(dimension + 1) * kernel(r), radius)
+            self.assertAlmostEqual(variance / dimension, 1.0, delta=1e-11)
+        for dimension, shell in (2, 2 * pi), (3, 4 * pi):
+            peak = laws.gaussian_peak(1, dimension, 3)
+            self.assertAlmostEqual(simpson(lambda r: shell * r**(dimension - 1) * peak * exp(-r**2 / 2), 3.0), 1.0,
+                                   delta=1e-11)
+
+    def test_kernels_have_their_integral_along_a_line(self):
+        peak = laws.KERNEL_PEAK["lucy", 3]
+        self.assertAlmostEqual(2 * simpson(lambda q: peak * (1 + 3 * q) * (1 - q)**3, 1.0), laws.LUCY_LINE, delta=1e-11)
+        peak = laws.gaussian_peak(1, 3)
+        self.assertAlmostEqual(2 * simpson(lambda r: peak * exp(-r**2 / 2), 0.7), laws.gaussian_line(1, 1.4), delta=1e-12)
+        shares = simpson(lambda r: laws.gaussian_peak(1, 1) * exp(-r**2 / 2), 2.0), laws.gaussian_between(1, 2.0, -1.0)
+        inner = simpson(lambda r: laws.gaussian_peak(1, 1) * exp(-r**2 / 2), 1.0)
+        self.assertAlmostEqual(shares[0] - inner, shares[1], delta=1e-12)
 
     def test_gross_sliding_has_the_impulse_of_the_cap(self):
         # mu k d integrated is 2 mu m v; its moment at the lever r - d/2 lacks mu k / 2 times the integral of d^2.
@@ -200,6 +235,16 @@ class ClosedForms(unittest.TestCase):
         # A lever r would be off by pi/8 of the depth over the radius.
         self.assertGreater(pi / 8 * depth / radius, 10 * lost_in_contact(steps))
         self.assertAlmostEqual(found, 1.0, delta=lost_in_contact(steps))
+
+    def test_fields_of_a_few_particles_meet_mercurydpms_checks(self):
+        # Where MercuryDPM has a bound that is it, but for the roundings of sums over thousands of places in files of 15
+        # digits; elsewhere that of the column's overlaps, 1e-16 / 5e-5 and some more.
+        for scene in mercurydpm_fields.SCENES:
+            for row in scene(RUN):
+                for found in (row.ours, row.rodpack):
+                    if found is not None:
+                        self.assertAlmostEqual(found / row.exact, 1.0, delta=max(row.bound or 1e-11, 3e-14),
+                                               msg=f"{scene.__name__}: {row.measure}")
 
     def test_a_composite_meets_a_sphere_with_the_restitution_of_its_whole_mass(self):
         restitution, duration, momentum = spheral.head_on(RUN, ORDER_4, 0.8, 50)

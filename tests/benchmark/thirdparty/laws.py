@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed forms and converged solutions for a sphere and a wall, written down without the program's own code."""
-from math import acos, atan2, cos, exp, gamma, log, pi, sin, sqrt
+"""Closed forms and converged solutions, written down without the program's own code."""
+from math import acos, atan2, cos, erf, exp, gamma, log, pi, sin, sqrt
 
 
 def root(function, low, high):
@@ -293,3 +293,29 @@ def stacked(y, v, seconds, masses, radius, stiffness, etas, height, gravity, ste
         d = rates([s + dt * r for s, r in zip(state, c)])
         state = [s + dt / 6 * (p + 2 * q + 2 * r + t) for s, p, q, r, t in zip(state, a, b, c, d)]
     return state[:2]
+
+
+# Averaging kernels that end at a radius c: how many standard deviations (along an axis) c is, and their value in the
+# middle times c^D. Lucy's is (1 + 3 q)(1 - q)^3, q = r / c; Heaviside's is even.
+KERNEL_RADIUS = {("lucy", 2): sqrt(56 / 5), ("lucy", 3): sqrt(12), ("heaviside", 2): 2.0, ("heaviside", 3): sqrt(5)}
+KERNEL_PEAK = {("lucy", 2): 5 / pi, ("lucy", 3): 105 / (16 * pi), ("heaviside", 2): 1 / pi,
+               ("heaviside", 3): 3 / (4 * pi)}
+LUCY_LINE = 21 / (4 * pi)  # integral along a line through the middle, in space, times c^2
+
+
+def gaussian_peak(scale, dimension, cut=None):
+    """Of a Gaussian of the standard deviation `scale`, cut off at `cut` of it and normalised."""
+    kept = 1.0
+    if cut is not None:
+        kept = 1 - exp(-cut**2 / 2) if dimension == 2 else erf(cut / sqrt(2)) - sqrt(2 / pi) * cut * exp(-cut**2 / 2)
+    return (2 * pi * scale**2)**(-dimension / 2) / kept
+
+
+def gaussian_line(scale, length):
+    """Integral of a Gaussian in space along a line of this length through its middle, which is that of the line."""
+    return erf(length / (2 * sqrt(2) * scale)) / (2 * pi * scale**2)
+
+
+def gaussian_between(scale, below, above):
+    """Share of a Gaussian that lies between two planes, at these distances to either side of its middle."""
+    return 0.5 * (erf(below / (sqrt(2) * scale)) + erf(above / (sqrt(2) * scale)))

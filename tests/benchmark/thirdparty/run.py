@@ -15,7 +15,7 @@ sys.dont_write_bytecode = True
 import page  # noqa: E402
 from scene import Failed, Runner  # noqa: E402
 
-CASES = ["mfix", "schwager_poeschel", "thornton", "mercurydpm", "spheral", "walberla", "vyas", "chung_ooi"]
+CASES = ["mfix", "schwager_poeschel", "thornton", "mercurydpm", "mercurydpm_fields", "spheral", "walberla", "vyas", "chung_ooi"]
 
 
 def main(arguments):
