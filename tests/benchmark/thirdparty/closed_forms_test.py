@@ -118,6 +118,19 @@ class Laws(unittest.TestCase):
         for coarse, fine in zip(*off):
             self.assertAlmostEqual(coarse / fine, 10.0, delta=0.1)
 
+    def test_a_sphere_in_a_gas_has_stokes_motion_and_the_terminal_velocity(self):
+        # Linear drag c u: v = v_t (1 - exp(-c t / m)), v_t = stream - weight / c. Without density the drag is Stokes'.
+        c = laws.schiller_naumann(2.0, 0.1, 0.0, 1.0)
+        self.assertAlmostEqual(c, 3 * pi * 0.1 * 2.0, delta=1e-15)
+        times = [0.5, 1.0]
+        for t, (y, v) in zip(times, laws.in_gas(1.0, 3.0, lambda u: c * u, 0.4, times)):
+            terminal = 0.4 - 3.0 / c
+            self.assertAlmostEqual(v, terminal * (1 - exp(-c * t)), delta=1e-11)
+            self.assertAlmostEqual(y, terminal * (t - (1 - exp(-c * t)) / c), delta=1e-11)
+        weight = mfix.GRAIN_MASS * 9.8
+        (_, v), = laws.in_gas(mfix.GRAIN_MASS, weight, mfix.grain_drag, 0.4, [3.0], 6000)
+        self.assertAlmostEqual(mfix.grain_drag(0.4 - v) / weight, 1.0, delta=1e-12)
+
     def test_kernels_are_normalised_and_have_their_standard_deviation(self):
         # Simpson's rule in the distance, weighted by the circle or sphere; the variance of the distance is D scale^2.
         # Up to its radius Lucy's kernel is a polynomial of degree 4, times at most q^4 here; the Gaussian is smooth.
@@ -282,6 +295,10 @@ class ClosedForms(unittest.TestCase):
             left = chung_ooi.slip_after(RUN, OURS._replace(law="hertz_spring"), 100, partner, 0.0, slip, cap="on",
                                         restitution=laws.hertz_input_for(0.5))
             self.assertAlmostEqual((slip - left) / lost, 1.0, delta=1e-3)
+
+    def test_a_grain_in_a_gas_is_followed_in_third_order(self):
+        coarse, fine = (mfix.errors_in_gas(RUN, OURS, dt)[0] for dt in (1e-3, 0.5e-3))
+        self.assertAlmostEqual(log2(coarse / fine), 3, delta=0.3)
 
     def test_two_stacked_particles_follow_their_linear_motion(self):
         radius, height, stiffness, gravity, seconds = 0.5e-3, 1.8e-3, 1e3, mfix.GRAVITY, 1e-3

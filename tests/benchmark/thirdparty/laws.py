@@ -268,6 +268,35 @@ def damped_slip(radius, mass, kn, kt, eta, friction, normal_speed, slip, steps=2
     return v + radius * w
 
 
+def schiller_naumann(diameter, viscosity, density, slip):
+    """Drag on a sphere in a gas that passes it at `slip` (m/s), N: 24/Re (1 + 0.15 Re^0.687) rho/2 slip^2 pi/4 d^2."""
+    reynolds = density * diameter * abs(slip) / viscosity
+    return 3 * pi * viscosity * diameter * slip * (1 + 0.15 * reynolds**0.687)
+
+
+def in_gas(mass, weight, drag, stream, times, steps=200):
+    """Heights and velocities at `times` (s, rising) of a sphere that is let go at 0 in a gas that streams upwards.
+
+    `drag(slip)`, N; Runge-Kutta's fourth order in `steps` steps between two of them.
+    """
+    y, v, begin, found = 0.0, 0.0, 0.0, []
+
+    def rate(velocity):
+        return (drag(stream - velocity) - weight) / mass
+
+    for end in times:
+        dt, begin = (end - begin) / steps, end
+        for _ in range(steps):
+            a = rate(v)
+            b = rate(v + 0.5 * dt * a)
+            c = rate(v + 0.5 * dt * b)
+            d = rate(v + dt * c)
+            y += dt * (v + dt / 6 * (a + b + c))
+            v += dt / 6 * (a + 2 * b + 2 * c + d)
+        found.append((y, v))
+    return found
+
+
 def stacked(y, v, seconds, masses, radius, stiffness, etas, height, gravity, steps=20000):
     """Two spheres, one on the other, squeezed between walls at 0 and `height`: positions after `seconds`.
 
