@@ -45,12 +45,14 @@ def damping_ratio_with_tension(restitution):
 
 
 def hertz_input_for(restitution):
-    """What LIGGGHTS's `model hertz` has to be told for a sphere to rebound with `restitution` under `limitForce on`.
+    """What LIGGGHTS's `model hertz` has to be told for a sphere to rebound with `restitution` under
+    `limitForce on`.
 
-    F = k d^(3/2) + eta sqrt(5 k m) d^(1/4) d', eta from `coefficientRestitution` as in damping_ratio_with_tension. In the
-    time s, ds = d^(1/4) dt, z = d^(5/4) is the linear spring and dashpot, z'' + sqrt(5 k / m) eta z' + 5 k / (4 m) z = 0,
-    with z' = 5/4 d' (Antypov and Elliott, EPL 94, 50004, 2011). Its force is zero where that of the linear law is, so the
-    restitution of the contact without tension is the linear law's, too.
+    F = k d^(3/2) + eta sqrt(5 k m) d^(1/4) d', eta from `coefficientRestitution` as in
+    damping_ratio_with_tension. In the time s, ds = d^(1/4) dt, z = d^(5/4) is the linear spring and dashpot,
+    z'' + sqrt(5 k / m) eta z' + 5 k / (4 m) z = 0, with z' = 5/4 d' (Antypov and Elliott, EPL 94, 50004,
+    2011). Its force is zero where that of the linear law is, so the restitution of the contact without
+    tension is the linear law's, too.
     """
     eta = damping_ratio_without_tension(restitution)
     return exp(-pi * eta / sqrt(1 - eta**2))
@@ -163,11 +165,11 @@ def elastic_overlaps(mass, stiffness, exponent, speed, duration, steps):
 class ObliqueImpact:
     """A sphere without gravity and without dashpots meets a wall obliquely; Coulomb's cap mu F_n.
 
-    `partner`: a second sphere (radius, mass) at rest in place of the wall; the velocities are then relative ones.
-    F_n = kn d^(1 + exponent), F_t = kt d^exponent s: linear, or Hertz's with the exponent 1/2. The tangential motion
-    is integrated by the midpoint rule in `steps` steps of the contact, of `duration` (s) where it is not linear, with
-    the spring cut to the cap at the end of each (second order in the step). `lever` gives the lever of the friction
-    force for a radius and an overlap.
+    `partner`: a second sphere (radius, mass) at rest in place of the wall; the velocities are then relative
+    ones. F_n = kn d^(1 + exponent), F_t = kt d^exponent s: linear, or Hertz's with the exponent 1/2. The
+    tangential motion is integrated by the midpoint rule in `steps` steps of the contact, of `duration` (s)
+    where it is not linear, with the spring cut to the cap at the end of each (second order in the step).
+    `lever` gives the lever of the friction force for a radius and an overlap.
     """
 
     def __init__(self, radius, mass, kn, kt, friction, normal_speed, tangential_speed, spin=0.0,
@@ -202,7 +204,7 @@ class ObliqueImpact:
 
 
 def impulse(masses, inertias, arms, closing_speed, restitution):
-    """Of two rigid bodies that meet without friction, kg m/s; `arms`: of the line of impact about their centres, m."""
+    """Of two rigid bodies that meet without friction, kg m/s; `arms`: from their centres to its line, m."""
     reduced = 1 / sum(1 / m + h**2 / i for m, i, h in zip(masses, inertias, arms))
     return (1 + restitution) * closing_speed * reduced
 
@@ -210,10 +212,11 @@ def impulse(masses, inertias, arms, closing_speed, restitution):
 def parallel_dumbbells(mass, inertia, spacing, radius, stiffness, damping, speed, steps=2000):
     """Velocity along x and spin of a dumbbell after it has met an equal one that comes the other way.
 
-    Both stand across x, +- `speed`, offset so that a sphere of each meets one of the other head-on. Each turns about the
-    point half-way between, as the other one does, so one sphere of one body says it all: at the angle w it is at
-    r = (X, Y) + s/2 (-sin w, cos w) from that point, and F = k d + c d', d = 2 (R - |r|), pushes it away. Runge-Kutta's
-    fourth order in `steps` steps of the contact from touch on, the last one cut where the force ends.
+    Both stand across x, +- `speed`, offset so that a sphere of each meets one of the other head-on. Each
+    turns about the point half-way between, as the other one does, so one sphere of one body says it all: at
+    the angle w it is at r = (X, Y) + s/2 (-sin w, cos w) from that point, and F = k d + c d', d = 2 (R -
+    |r|), pushes it away. Runge-Kutta's fourth order in `steps` steps of the contact from touch on, the last
+    one cut where the force ends.
     """
     arm = 0.5 * spacing
     reduced = 0.5 / (1 / mass + arm**2 / inertia)
@@ -269,13 +272,15 @@ def damped_slip(radius, mass, kn, kt, eta, friction, normal_speed, slip, steps=2
 
 
 def schiller_naumann(diameter, viscosity, density, slip):
-    """Drag on a sphere in a gas that passes it at `slip` (m/s), N: 24/Re (1 + 0.15 Re^0.687) rho/2 slip^2 pi/4 d^2."""
+    """Drag on a sphere in a gas that passes it at `slip` (m/s), N: C rho/2 slip^2 pi/4 d^2 with
+    C = 24/Re (1 + 0.15 Re^0.687)."""
     reynolds = density * diameter * abs(slip) / viscosity
     return 3 * pi * viscosity * diameter * slip * (1 + 0.15 * reynolds**0.687)
 
 
 def in_gas(mass, weight, drag, stream, times, steps=200):
-    """Heights and velocities at `times` (s, rising) of a sphere that is let go at 0 in a gas that streams upwards.
+    """Heights and velocities at `times` (s, rising) of a sphere that is let go at 0 in a gas that streams
+    upwards.
 
     `drag(slip)`, N; Runge-Kutta's fourth order in `steps` steps between two of them.
     """
@@ -324,24 +329,28 @@ def stacked(y, v, seconds, masses, radius, stiffness, etas, height, gravity, ste
     return state[:2]
 
 
-# Averaging kernels that end at a radius c: how many standard deviations (along an axis) c is, and their value in the
-# middle times c^D. Lucy's is (1 + 3 q)(1 - q)^3, q = r / c; Heaviside's is even.
-KERNEL_RADIUS = {("lucy", 2): sqrt(56 / 5), ("lucy", 3): sqrt(12), ("heaviside", 2): 2.0, ("heaviside", 3): sqrt(5)}
+# Averaging kernels that end at a radius c: how many standard deviations (along an axis) c is, and their value
+# in the middle times c^D. Lucy's is (1 + 3 q)(1 - q)^3, q = r / c; Heaviside's is even.
+KERNEL_RADIUS = {("lucy", 2): sqrt(56 / 5), ("lucy", 3): sqrt(12), ("heaviside", 2): 2.0,
+                 ("heaviside", 3): sqrt(5)}
 KERNEL_PEAK = {("lucy", 2): 5 / pi, ("lucy", 3): 105 / (16 * pi), ("heaviside", 2): 1 / pi,
                ("heaviside", 3): 3 / (4 * pi)}
 LUCY_LINE = 21 / (4 * pi)  # integral along a line through the middle, in space, times c^2
 
 
 def gaussian_peak(scale, dimension, cut=None):
-    """Of a Gaussian of the standard deviation `scale`, cut off at `cut` of it and normalised."""
-    kept = 1.0
-    if cut is not None:
-        kept = 1 - exp(-cut**2 / 2) if dimension == 2 else erf(cut / sqrt(2)) - sqrt(2 / pi) * cut * exp(-cut**2 / 2)
+    """Of a Gaussian of the standard deviation `scale`, in the middle; `cut` off (2D, 3D) at so many of it."""
+    if cut is None:
+        kept = 1.0
+    elif dimension == 2:
+        kept = 1 - exp(-cut**2 / 2)
+    else:
+        kept = erf(cut / sqrt(2)) - sqrt(2 / pi) * cut * exp(-cut**2 / 2)
     return (2 * pi * scale**2)**(-dimension / 2) / kept
 
 
 def gaussian_line(scale, length):
-    """Integral of a Gaussian in space along a line of this length through its middle, which is that of the line."""
+    """Integral of a Gaussian in space along a line of this length whose middle is its own."""
     return erf(length / (2 * sqrt(2) * scale)) / (2 * pi * scale**2)
 
 

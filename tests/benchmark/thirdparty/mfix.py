@@ -226,8 +226,9 @@ def errors_in_gas(run, method, dt):
     """Largest relative errors of velocity and height from 0.01 s to 0.35 s, the height from MFiX's floor."""
     start, gravity = 0.0925, GRAVITY * (1 - GAS["gas_density"] / GRAIN["density"])  # less by the buoyancy
     kick = grain_drag(GAS["stream"]) / GRAIN_MASS - gravity
-    scene = spring_scene([sphere(y=0.0, **GRAIN)], dt, round(0.35 / dt) + 1, every=round(0.01 / dt), kn=0.1, kt=0.1,
-                         gy=-gravity, half=0.1, skin=0.01, kick=(0, kick), effective_mass=GRAIN_MASS, **GAS)
+    scene = spring_scene([sphere(y=0.0, **GRAIN)], dt, round(0.35 / dt) + 1, every=round(0.01 / dt), kn=0.1,
+                         kt=0.1, gy=-gravity, half=0.1, skin=0.01, kick=(0, kick), effective_mass=GRAIN_MASS,
+                         **GAS)
     frames = run(scene, method)[1:]
     exact = laws.in_gas(GRAIN_MASS, GRAIN_MASS * gravity, grain_drag, GAS["stream"], [t for t, _ in frames])
     return (max(abs(s["vy"] / v - 1) for (_, (s,)), (_, v) in zip(frames, exact)),
@@ -243,12 +244,13 @@ def dem06(run):
             rows.append([name, measure, peer[n], *(f[n] for f in found)])
     return Table(
         "MFiX DEM06: a grain in a stream of gas",
-        "Largest relative errors at each hundredth of a second until 0.35 s, when the grain (0.1 mm, 2000 kg/m³), let go "
-        "at 92.5 mm, has reached its terminal velocity in air that streams upwards at 0.4 m/s. Of MFiX's variants this is "
-        "the one whose gas is given: LIGGGHTS's `fix addforce` has the drag, Schiller and Naumann's, of the velocity that "
-        "forces see. The variants that solve for the gas have no place here, since there is no gas in this package; MFiX's "
-        "velocities are then 0.5 to 5 % off. Nothing touches, so that there is no contact time to count steps by: 1 ms is "
-        "MFiX's step of the gas. Velocity Verlet's drag is that of half a step before, which is of first order like "
+        "Largest relative errors at each hundredth of a second until 0.35 s, when the grain (0.1 mm, 2000 "
+        "kg/m³), let go at 92.5 mm, has reached its terminal velocity in air that streams upwards at 0.4 "
+        "m/s. Of MFiX's variants this is the one whose gas is given: LIGGGHTS's `fix addforce` has the "
+        "drag, Schiller and Naumann's, of the velocity that forces see. The variants that solve for the "
+        "gas have no place here, since there is no gas in this package; MFiX's velocities are then 0.5 to "
+        "5 % off. Nothing touches, so that there is no contact time to count steps by: 1 ms is MFiX's step "
+        "of the gas. Velocity Verlet's drag is that of half a step before, which is of first order like "
         "MFiX's; order 4 has its start, where the drag changes fastest, only in third order.",
         ["step", "", "MFiX", "ours", "ours, order 4", "nve/sphere/ab", "nve/sphere", "multisphere"], rows)
 

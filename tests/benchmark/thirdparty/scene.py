@@ -26,9 +26,11 @@ def sphere(y=0.0, vy=0.0, x=0.0, vx=0.0, z=0.0, wz=0.0, radius=1e-3, density=250
 
 
 def dumbbell(mass, spacing, angle=0.0, **settings):
-    """Two equal spheres of `mass` (kg) each in one rigid body, `spacing` (m) apart, which is half a diameter or less.
+    """Two equal spheres of `mass` (kg) each in one rigid body, `spacing` (m) apart, which is half a diameter
+    or less.
 
-    Their line stands at `angle` with x; they overlap, and count twice where they do. The rest as for a sphere.
+    Their line stands at `angle` with x; they overlap, and count twice where they do. The rest as for a
+    sphere.
     """
     body = sphere(**settings)
     radius = 0.5 * body["diameter"]
@@ -91,15 +93,16 @@ class Runner:
             return read_frames(Path(folder, "spheres.dump"), scene["dt"])
 
     def fields(self, spheres, grids, after=None, **settings):
-        """Rows (dicts of columns) of `compute stress/goldhirsch` of spheres at rest, for each of `grids`, name: arguments;
-        and the sum of the three diagonals of LIGGGHTS's own `compute stress/atom`, J.
+        """Rows (dicts of columns) of `compute stress/goldhirsch` of spheres at rest, for each of `grids`,
+        name: arguments; and the sum of the three diagonals of LIGGGHTS's own `compute stress/atom`, J.
 
-        `spheres`: dicts of in.fields's lists; `settings`: its other variables. `after(folder)` gives rows of its own, from
-        the dumps, that are returned third.
+        `spheres`: dicts of in.fields's lists; `settings`: its other variables. `after(folder)` gives rows of
+        its own, from the dumps, that are returned third.
         """
         self.runs += 1
         lines = [*variables(settings, spheres), FIELDS.read_text()]
-        lines += [f"compute {name} all stress/goldhirsch {words}" for name, words in grids.items()] + ["run 0"]
+        lines += [f"compute {name} all stress/goldhirsch {words}" for name, words in grids.items()]
+        lines.append("run 0")
         lines += [f"write_dump all stress/goldhirsch {name}.csv {name}" for name in grids]
         lines += ["variable trace equal c_total[1]+c_total[2]+c_total[3]", 'print "trace ${trace}"', ""]
         with tempfile.TemporaryDirectory(prefix="thirdparty.") as folder:
