@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Closed forms and converged solutions for a sphere and a wall, written down without the program's own code."""
-from math import acos, atan2, cos, exp, gamma, log, pi, sin, sqrt
+"""Closed forms and converged solutions, written down without the program's own code."""
+from math import acos, atan2, cos, erf, exp, gamma, log, pi, sin, sqrt
 
 
 def root(function, low, high):
@@ -42,6 +42,25 @@ def damping_ratio_without_tension(restitution):
 def damping_ratio_with_tension(restitution):
     """MFiX and others: the contact ends with its overlap, e = exp(-pi eta / sqrt(1 - eta^2))."""
     return -log(restitution) / sqrt(pi**2 + log(restitution)**2)
+
+
+def hertz_input_for(restitution):
+    """What LIGGGHTS's `model hertz` has to be told for a sphere to rebound with `restitution` under
+    `limitForce on`.
+
+    F = k d^(3/2) + eta sqrt(5 k m) d^(1/4) d', eta from `coefficientRestitution` as in
+    damping_ratio_with_tension. In the time s, ds = d^(1/4) dt, z = d^(5/4) is the linear spring and dashpot,
+    z'' + sqrt(5 k / m) eta z' + 5 k / (4 m) z = 0, with z' = 5/4 d' (Antypov and Elliott, EPL 94, 50004,
+    2011). Its force is zero where that of the linear law is, so the restitution of the contact without
+    tension is the linear law's, too.
+    """
+    eta = damping_ratio_without_tension(restitution)
+    return exp(-pi * eta / sqrt(1 - eta**2))
+
+
+def hertz_restitution(told):
+    """Its inverse: with which restitution a sphere rebounds that is told `told`."""
+    return restitution_without_tension(damping_ratio_with_tension(told))
 
 
 class Impact:
@@ -146,32 +165,89 @@ def elastic_overlaps(mass, stiffness, exponent, speed, duration, steps):
 class ObliqueImpact:
     """A sphere without gravity and without dashpots meets a wall obliquely; Coulomb's cap mu F_n.
 
-    F_n = kn d^(1 + exponent), F_t = kt d^exponent s: linear, or Hertz's with the exponent 1/2. The tangential motion
-    is integrated by the midpoint rule in `steps` steps of the contact, of `duration` (s) where it is not linear, with
-    the spring cut to the cap at the end of each (second order in the step). `lever` gives the lever of the friction
-    force for a radius and an overlap.
+    `partner`: a second sphere (radius, mass) at rest in place of the wall; the velocities are then relative
+    ones. F_n = kn d^(1 + exponent), F_t = kt d^exponent s: linear, or Hertz's with the exponent 1/2. The
+    tangential motion is integrated by the midpoint rule in `steps` steps of the contact, of `duration` (s)
+    where it is not linear, with the spring cut to the cap at the end of each (second order in the step).
+    `lever` gives the lever of the friction force for a radius and an overlap.
     """
 
     def __init__(self, radius, mass, kn, kt, friction, normal_speed, tangential_speed, spin=0.0,
-                 lever=lambda r, d: r - 0.5 * d, exponent=0.0, duration=None, steps=20000):
+                 lever=lambda r, d: r - 0.5 * d, exponent=0.0, duration=None, steps=20000, partner=None):
+        spheres = [(radius, mass)] + ([partner] if partner else [])
+        mass = 1 / sum(1 / m for _, m in spheres)
         duration = duration or contact_time(kn, mass)
         dt, overlaps = elastic_overlaps(mass, kn, exponent, normal_speed, duration, steps)
-        inertia = 0.4 * mass * radius**2
-        v, w, spring = tangential_speed, spin, 0.0
+        spins = [spin, 0.0][:len(spheres)]
+        v, spring = tangential_speed, 0.0
+
+        def turns(force, overlap):
+            """Rates of the spins."""
+            return [force * lever(r, overlap) / (0.4 * m * r**2) for r, m in spheres]
+
+        def slip(velocity, spins, overlap):
+            """Spins are counted so that friction changes them and the velocity with the same sign."""
+            return velocity + sum(lever(r, overlap) * w for (r, _), w in zip(spheres, spins))
+
         for begin, middle, end in zip(overlaps[0::2], overlaps[1::2], overlaps[2::2]):
-            # The surface slips at v + lever w: w is counted so that friction changes both with the same sign.
-            arm = lever(radius, begin)
             force = -kt * begin**exponent * spring
-            half_v, half_w = v + 0.5 * dt * force / mass, w + 0.5 * dt * force * arm / inertia
-            force = -kt * middle**exponent * (spring + 0.5 * dt * (v + arm * w))
+            half_v = v + 0.5 * dt * force / mass
+            half_spins = [w + 0.5 * dt * rate for w, rate in zip(spins, turns(force, begin))]
+            force = -kt * middle**exponent * (spring + 0.5 * dt * slip(v, spins, middle))
             cap = friction * kn * middle**(1 + exponent)
             force = max(-cap, min(cap, force))
-            arm = lever(radius, middle)
-            v += dt * force / mass
-            w += dt * force * arm / inertia
             longest = friction * kn / kt * end
-            spring = max(-longest, min(longest, spring + dt * (half_v + arm * half_w)))
-        self.velocity, self.spin = v, w
+            spring = max(-longest, min(longest, spring + dt * slip(half_v, half_spins, middle)))
+            v += dt * force / mass
+            spins = [w + dt * rate for w, rate in zip(spins, turns(force, middle))]
+        self.velocity, self.spin, self.spins = v, spins[0], spins
+
+
+def impulse(masses, inertias, arms, closing_speed, restitution):
+    """Of two rigid bodies that meet without friction, kg m/s; `arms`: from their centres to its line, m."""
+    reduced = 1 / sum(1 / m + h**2 / i for m, i, h in zip(masses, inertias, arms))
+    return (1 + restitution) * closing_speed * reduced
+
+
+def parallel_dumbbells(mass, inertia, spacing, radius, stiffness, damping, speed, steps=2000):
+    """Velocity along x and spin of a dumbbell after it has met an equal one that comes the other way.
+
+    Both stand across x, +- `speed`, offset so that a sphere of each meets one of the other head-on. Each
+    turns about the point half-way between, as the other one does, so one sphere of one body says it all: at
+    the angle w it is at r = (X, Y) + s/2 (-sin w, cos w) from that point, and F = k d + c d', d = 2 (R -
+    |r|), pushes it away. Runge-Kutta's fourth order in `steps` steps of the contact from touch on, the last
+    one cut where the force ends.
+    """
+    arm = 0.5 * spacing
+    reduced = 0.5 / (1 / mass + arm**2 / inertia)
+    dt = contact_time(stiffness, reduced) / steps
+
+    def pushed(s):
+        x, y, turned, vx, vy, w = s
+        sine, cosine = sin(turned), cos(turned)
+        rx, ry = x - arm * sine, y + arm * cosine
+        distance = sqrt(rx**2 + ry**2)
+        nx, ny = rx / distance, ry / distance
+        rate = -2 * (nx * (vx - arm * cosine * w) + ny * (vy - arm * sine * w))
+        return stiffness * 2 * (radius - distance) + damping * rate, nx, ny, arm * (-sine * ny - cosine * nx)
+
+    def rates(s):
+        force, nx, ny, lever = pushed(s)
+        return (*s[3:], force * nx / mass, force * ny / mass, force * lever / inertia)
+
+    def advanced(s, h):
+        a = rates(s)
+        b = rates([x + 0.5 * h * r for x, r in zip(s, a)])
+        c = rates([x + 0.5 * h * r for x, r in zip(s, b)])
+        d = rates([x + h * r for x, r in zip(s, c)])
+        return [x + h / 6 * (p + 2 * q + 2 * r + t) for x, p, q, r, t in zip(s, a, b, c, d)]
+
+    state = advanced([-radius, -arm, 0.0, speed, 0.0, 0.0], dt)
+    while pushed(advanced(state, dt))[0] > 0:
+        state = advanced(state, dt)
+    last = root(lambda h: pushed(advanced(state, h))[0], 0.0, dt)
+    _, _, _, vx, vy, w = advanced(state, last)
+    return vx, vy, w
 
 
 def damped_slip(radius, mass, kn, kt, eta, friction, normal_speed, slip, steps=20000):
@@ -193,6 +269,37 @@ def damped_slip(radius, mass, kn, kt, eta, friction, normal_speed, slip, steps=2
         v, w = v + dt * force / mass, w + dt * force * arm / inertia
         spring += dt * (v + arm * w)
     return v + radius * w
+
+
+def schiller_naumann(diameter, viscosity, density, slip):
+    """Drag on a sphere in a gas that passes it at `slip` (m/s), N: C rho/2 slip^2 pi/4 d^2 with
+    C = 24/Re (1 + 0.15 Re^0.687)."""
+    reynolds = density * diameter * abs(slip) / viscosity
+    return 3 * pi * viscosity * diameter * slip * (1 + 0.15 * reynolds**0.687)
+
+
+def in_gas(mass, weight, drag, stream, times, steps=200):
+    """Heights and velocities at `times` (s, rising) of a sphere that is let go at 0 in a gas that streams
+    upwards.
+
+    `drag(slip)`, N; Runge-Kutta's fourth order in `steps` steps between two of them.
+    """
+    y, v, begin, found = 0.0, 0.0, 0.0, []
+
+    def rate(velocity):
+        return (drag(stream - velocity) - weight) / mass
+
+    for end in times:
+        dt, begin = (end - begin) / steps, end
+        for _ in range(steps):
+            a = rate(v)
+            b = rate(v + 0.5 * dt * a)
+            c = rate(v + 0.5 * dt * b)
+            d = rate(v + dt * c)
+            y += dt * (v + dt / 6 * (a + b + c))
+            v += dt / 6 * (a + 2 * b + 2 * c + d)
+        found.append((y, v))
+    return found
 
 
 def stacked(y, v, seconds, masses, radius, stiffness, etas, height, gravity, steps=20000):
@@ -220,3 +327,33 @@ def stacked(y, v, seconds, masses, radius, stiffness, etas, height, gravity, ste
         d = rates([s + dt * r for s, r in zip(state, c)])
         state = [s + dt / 6 * (p + 2 * q + 2 * r + t) for s, p, q, r, t in zip(state, a, b, c, d)]
     return state[:2]
+
+
+# Averaging kernels that end at a radius c: how many standard deviations (along an axis) c is, and their value
+# in the middle times c^D. Lucy's is (1 + 3 q)(1 - q)^3, q = r / c; Heaviside's is even.
+KERNEL_RADIUS = {("lucy", 2): sqrt(56 / 5), ("lucy", 3): sqrt(12), ("heaviside", 2): 2.0,
+                 ("heaviside", 3): sqrt(5)}
+KERNEL_PEAK = {("lucy", 2): 5 / pi, ("lucy", 3): 105 / (16 * pi), ("heaviside", 2): 1 / pi,
+               ("heaviside", 3): 3 / (4 * pi)}
+LUCY_LINE = 21 / (4 * pi)  # integral along a line through the middle, in space, times c^2
+
+
+def gaussian_peak(scale, dimension, cut=None):
+    """Of a Gaussian of the standard deviation `scale`, in the middle; `cut` off (2D, 3D) at so many of it."""
+    if cut is None:
+        kept = 1.0
+    elif dimension == 2:
+        kept = 1 - exp(-cut**2 / 2)
+    else:
+        kept = erf(cut / sqrt(2)) - sqrt(2 / pi) * cut * exp(-cut**2 / 2)
+    return (2 * pi * scale**2)**(-dimension / 2) / kept
+
+
+def gaussian_line(scale, length):
+    """Integral of a Gaussian in space along a line of this length whose middle is its own."""
+    return erf(length / (2 * sqrt(2) * scale)) / (2 * pi * scale**2)
+
+
+def gaussian_between(scale, below, above):
+    """Share of a Gaussian that lies between two planes, at these distances to either side of its middle."""
+    return 0.5 * (erf(below / (sqrt(2) * scale)) + erf(above / (sqrt(2) * scale)))

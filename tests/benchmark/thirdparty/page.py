@@ -55,10 +55,14 @@ What they show:
   Adams–Bashforth that of its end, which makes the spring one of first order: give `tangential spring_dashpot` to
   Hertz's law too.
 - Friction with a dashpot has a band of angles in which the law itself has no limit of small steps, under either cap.
+- That `tangential history` adds its dashpot on top of Coulomb's cap, and LIGGGHTS's Hertz law rebounds faster than the
+  restitution it is told, by a closed form (test 3 of Chung and Ooi), which has an inverse.
+- A force that depends on velocity, such as drag or a dashpot, is of first order under velocity Verlet (DEM06).
+- Two spheres in one rigid body meet as the impulse of rigid bodies says. Fields of a few particles are exact to rounding.
 - Velocity Verlet holds a small grain between two large ones from a ratio of sizes of about 10 on; ours lets it fall.
 
-Left out: MFiX's DEM06 (a fluid), MercuryDPM's coarse-graining tests (the fields have their own closed forms in
-`tests/unit/averaging`), Spheral's composite particles, Chung and Ooi's test 8.
+Left out: MFiX's DEM06 where it solves for the gas, which this package does not have, and MercuryDPM's moments of
+particle sizes, for which it has no field.
 
 """
 

@@ -15,12 +15,15 @@ sys.dont_write_bytecode = True
 import page  # noqa: E402
 from scene import Failed, Runner  # noqa: E402
 
-CASES = ["mfix", "schwager_poeschel", "thornton", "mercurydpm", "spheral", "walberla", "vyas", "chung_ooi"]
+CASES = ["mfix", "schwager_poeschel", "thornton", "mercurydpm", "mercurydpm_fields", "spheral", "walberla",
+         "vyas", "chung_ooi"]
 
 
 def main(arguments):
     if not arguments or not Path(arguments[0]).is_file():
         sys.exit(f"run.py: expected the program liggghts first, got {arguments[:1]}")
+    if not Path(arguments[0]).with_name("rodpack").is_file():
+        sys.exit(f"run.py: expected the program rodpack beside {arguments[0]}, found none")
     unknown = set(arguments[1:]) - set(CASES)
     if unknown:
         sys.exit(f"run.py: no case {sorted(unknown)}, expected some of {CASES}")
