@@ -15,48 +15,50 @@
 namespace rodpack {
 namespace {
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr const char* format = "rodpack-ensemble 1";
+constexpr const char* ensemble_format = "rodpack-ensemble 1";
 constexpr const char* cost_format = "rodpack-cost 1";
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 // What the clock says, and no two runs agree in: kept in cost.json, so that ensemble.json is the
 // same whenever and wherever it is made again.
 const std::set<std::string> cost_numbers = {"wall_time_s", "core_seconds"};
 // Keys of a case that are not numbers of it.
 const std::set<std::string> other_keys = {"parameters", "runs", "seeds", "curves"};
 
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json number_or_null(const std::optional<double>& value) {
-  return number_or_null(value.value_or(none));
+OrderedJson number_or_null(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
+OrderedJson number_or_null(const std::optional<double>& value) {
+  return number_or_null(value.value_or(unknown));
 }
 
-Json mean_json(const EnsembleMean& mean) {
+OrderedJson mean_json(const EnsembleMean& mean) {
   return {{"mean", number_or_null(mean.mean)}, {"sem", number_or_null(mean.sem)}, {"n", mean.n}};
 }
 
-Json curve_json(const EnsembleCurve& curve) {
-  Json mean = Json::array(), sem = Json::array(), n = Json::array();
+OrderedJson curve_json(const EnsembleCurve& curve) {
+  OrderedJson mean = OrderedJson::array(), sem = OrderedJson::array(), n = OrderedJson::array();
   for (const auto& y : curve.y) {
     mean.push_back(number_or_null(y.mean));
     sem.push_back(number_or_null(y.sem));
     n.push_back(y.n);
   }
-  Json json = {
+  OrderedJson json = {
       {"abscissa", curve.abscissa}, {"x", curve.x}, {"mean", mean}, {"sem", sem}, {"n", n}};
   for (const auto& run : curve.of_runs) {
-    Json values = Json::array();
+    OrderedJson values = OrderedJson::array();
     for (const double value : run) values.push_back(number_or_null(value));
     json["of_runs"].push_back(values);
   }
   return json;
 }
 
-Json case_json(const EnsembleCase& one) {
-  Json json = {{"parameters", one.parameters}, {"runs", one.runs}, {"seeds", one.seeds}};
+OrderedJson case_json(const EnsembleCase& one) {
+  OrderedJson json = {{"parameters", one.parameters}, {"runs", one.runs}, {"seeds", one.seeds}};
   for (const auto& [name, mean] : one.numbers)
     if (!cost_numbers.count(name)) json[name] = mean_json(mean);
-  json["curves"] = Json::object();
+  json["curves"] = OrderedJson::object();
   for (const auto& [name, curve] : one.curves) {
     const auto dot = name.find('.');
     json["curves"][name.substr(0, dot)][name.substr(dot + 1)] = curve_json(curve);
@@ -64,19 +66,21 @@ Json case_json(const EnsembleCase& one) {
   return json;
 }
 
-double number_or_nan(const Json& json) { return json.is_null() ? none : json.get<double>(); }
+double number_or_nan(const OrderedJson& json) {
+  return json.is_null() ? unknown : json.get<double>();
+}
 
-EnsembleMean mean_from(const Json& mean, const Json& sem, const Json& n) {
+EnsembleMean mean_from(const OrderedJson& mean, const OrderedJson& sem, const OrderedJson& n) {
   EnsembleMean result{number_or_nan(mean), std::nullopt, n.get<int>()};
   if (!sem.is_null()) result.sem = sem.get<double>();
   return result;
 }
 
-EnsembleCurve curve_from(const Json& json) {
+EnsembleCurve curve_from(const OrderedJson& json) {
   EnsembleCurve curve{json.at("abscissa"), json.at("x").get<std::vector<double>>(), {}, {}};
   for (std::size_t k = 0; k < curve.x.size(); ++k)
     curve.y.push_back(mean_from(json.at("mean").at(k), json.at("sem").at(k), json.at("n").at(k)));
-  for (const auto& run : json.value("of_runs", Json::array())) {
+  for (const auto& run : json.value("of_runs", OrderedJson::array())) {
     curve.of_runs.emplace_back();
     for (std::size_t k = 0; k < curve.x.size(); ++k)
       curve.of_runs.back().push_back(number_or_nan(run.at(k)));
@@ -85,22 +89,22 @@ EnsembleCurve curve_from(const Json& json) {
 }
 
 // A file of that format, with an object 'cases'.
-Json read_object(const std::string& file, const std::string& expected_format) {
-  Json json = read_json_object(file);
-  if (json.value("format", Json()) != expected_format)
+OrderedJson read_object(const std::string& file, const std::string& expected_format) {
+  OrderedJson json = read_json_object(file);
+  if (json.value("format", OrderedJson()) != expected_format)
     throw DataError(file + ": expected a JSON object with \"format\": \"" + expected_format + "\"");
-  if (!json.value("cases", Json()).is_object())
+  if (!json.value("cases", OrderedJson()).is_object())
     throw DataError(file + ": expected an object 'cases'");
   return json;
 }
 
-void read_numbers(const Json& json, EnsembleCase& one) {
+void read_numbers(const OrderedJson& json, EnsembleCase& one) {
   for (const auto& [key, value] : json.items())
     if (!other_keys.count(key))
       one.numbers[key] = mean_from(value.at("mean"), value.at("sem"), value.at("n"));
 }
 
-EnsembleCase case_from(const std::string& name, const Json& json) {
+EnsembleCase case_from(const std::string& name, const OrderedJson& json) {
   EnsembleCase one;
   one.name = name;
   one.parameters = json.at("parameters");
@@ -115,7 +119,7 @@ EnsembleCase case_from(const std::string& name, const Json& json) {
 
 // Removes what an earlier call left in `folder`, so that no table of a case that is no more stays.
 void remove_tables_of_before(const fs::path& folder) {
-  const Json before = json_object_if_sound((folder / "ensemble.json").string());
+  const OrderedJson before = json_object_if_sound((folder / "ensemble.json").string());
   if (!before.is_object() || !before.contains("cases") || !before["cases"].is_object()) return;
   std::error_code ignored;
   for (const auto& [name, one] : before["cases"].items()) {
@@ -147,14 +151,14 @@ void write_numbers(const Ensemble& ensemble, const fs::path& folder) {
     for (const auto& [name, mean] : one.numbers) {
       if (cost_numbers.count(name)) continue;
       text += csv_line({one.name, name, number_text(mean.mean),
-                        number_text(mean.sem.value_or(none)), std::to_string(mean.n)}) +
+                        number_text(mean.sem.value_or(unknown)), std::to_string(mean.n)}) +
               "\n";
     }
   write_text((folder / "numbers.csv").string(), text);
 }
 
-Json cost_json(const Ensemble& ensemble) {
-  Json json = {{"format", cost_format}, {"cases", Json::object()}};
+OrderedJson cost_json(const Ensemble& ensemble) {
+  OrderedJson json = {{"format", cost_format}, {"cases", OrderedJson::object()}};
   for (const auto& one : ensemble.cases)
     for (const auto& [name, mean] : one.numbers)
       if (cost_numbers.count(name)) json["cases"][one.name][name] = mean_json(mean);
@@ -162,7 +166,7 @@ Json cost_json(const Ensemble& ensemble) {
 }
 
 // Writes the file whole or not at all, also when this is interrupted.
-void write_whole(const Json& json, const fs::path& file) {
+void write_whole(const OrderedJson& json, const fs::path& file) {
   const fs::path unfinished = file.string() + ".part";
   write_json(unfinished.string(), json);
   std::error_code error;
@@ -179,9 +183,10 @@ const EnsembleCase* case_named(const Ensemble& ensemble, const std::string& name
 }
 
 Ensemble read_ensemble(const std::string& file) {
-  const Json json = read_object(file, format);
+  const OrderedJson json = read_object(file, ensemble_format);
   const std::string cost_file = (fs::path(file).parent_path() / "cost.json").string();
-  const Json cost = fs::exists(cost_file) ? read_object(cost_file, cost_format) : Json();
+  const OrderedJson cost =
+      fs::exists(cost_file) ? read_object(cost_file, cost_format) : OrderedJson();
   Ensemble ensemble;
   try {
     for (const auto& [name, one] : json.at("cases").items()) {
@@ -201,7 +206,8 @@ void write_ensemble(const Ensemble& ensemble, const std::string& folder) {
   fs::create_directories(folder, error);
   if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");
   remove_tables_of_before(folder);
-  Json json = {{"format", format}, {"cases", Json::object()}, {"notes", ensemble.notes}};
+  OrderedJson json = {
+      {"format", ensemble_format}, {"cases", OrderedJson::object()}, {"notes", ensemble.notes}};
   for (const auto& one : ensemble.cases) {
     json["cases"][one.name] = case_json(one);
     write_tables(one, folder);

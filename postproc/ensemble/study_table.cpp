@@ -12,7 +12,7 @@ namespace rodpack {
 namespace {
 using Json = nlohmann::json;
 
-constexpr const char* format = "rodpack-study 1";
+constexpr const char* study_format = "rodpack-study 1";
 
 // Numbers are equal to the six digits that a deck may write.
 bool same_value(const Json& found, const Json& expected) {
@@ -25,8 +25,8 @@ bool same_value(const Json& found, const Json& expected) {
 
 StudyTable read_study_table(const std::string& file) {
   const Json json = read_json_object(file);
-  if (json.value("format", Json()) != format)
-    throw DataError(file + ": expected a JSON object with \"format\": \"" + format + "\"");
+  if (json.value("format", Json()) != study_format)
+    throw DataError(file + ": expected a JSON object with \"format\": \"" + study_format + "\"");
   StudyTable table;
   table.file = file;
   try {

@@ -7,6 +7,7 @@ namespace rodpack {
 constexpr double pi = 3.14159265358979323846;
 /// One degree, rad: angles are radians in dumps, degrees in tables and figures.
 constexpr double degree = pi / 180;
+constexpr double degrees_in_radian = 180 / pi;
 
 }  // namespace rodpack
 

@@ -18,8 +18,6 @@ struct CaseMap {
   double width = 0, height = 0;     // of the map, d_p
 };
 
-constexpr double em = 34.0 / 1600;  // a letter, in widths of a figure of one column
-
 std::optional<CaseMap> read_map(const EnsembleCase& each, const std::string& out) {
   const auto file = std::filesystem::path(out) / (each.name + "_fields.csv");
   const auto diameter = each.parameters.find("particle_diameter_m");

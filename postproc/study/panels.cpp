@@ -14,9 +14,6 @@
 namespace rodpack {
 namespace {
 
-// Lengths are in em, the size of the letters: 34 of the 1600 pixels of a figure of one column.
-constexpr double em = 34.0 / 1600;
-
 struct Layout {
   int columns = 1, rows = 1;
   double left = 6, right = 1.8, bottom = 4.3, top = 0.8;

@@ -12,6 +12,10 @@ namespace rodpack {
 
 // Figures of several panels with common axes; for the sources of this room only.
 
+/// The size of the letters, in widths of a figure of one column: 34 of its 1600 pixels. Lengths in
+/// a figure are in em.
+constexpr double em = 34.0 / 1600;
+
 enum class ErrorsAs { bars, band };
 
 /// One line of a panel, with what its points look like.

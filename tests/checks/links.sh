@@ -10,7 +10,8 @@ cd "${1:-.}"
 
 # Build trees and results are nobody's pages.
 pages() {
-  find . -name '*.md' ! -path './build*' ! -path './results/*' ! -path './.*/*' | sed 's|^\./||' | sort
+  find . -type d \( -path './build*' -o -path ./results -o -path './.*' \) -prune -o -name '*.md' -print |
+    sed 's|^\./||' | sort
 }
 
 # Lines of a page outside of fenced blocks, without code in backticks; each with its number.

@@ -13,7 +13,8 @@ cd "${1:-.}"
 
 # Build trees and results are nobody's sources.
 files() {
-  find . -type f ! -path './build*' ! -path './results/*' ! -path './.*/*' | sed 's|^\./||' | sort
+  find . -type d \( -path './build*' -o -path ./results -o -path './.*' \) -prune -o -type f -print |
+    sed 's|^\./||' | sort
 }
 
 # Pages that the programs write into run folders.

@@ -12,6 +12,8 @@
 
 namespace rodpack {
 
+constexpr double rod_diameter = 3e-3;  ///< m, as in the deck
+
 /// How a bed is modelled. The defaults are the paper's, with events.
 struct BedModel {
   std::string method = "ab3e";  // as accuracy_method() takes it

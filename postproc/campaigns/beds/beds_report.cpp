@@ -13,7 +13,7 @@ namespace {
 
 using RowList = std::vector<BedRow>;
 
-constexpr double aspect_ratio = 5, diameter = 3e-3;  // of the deck's rods, m
+constexpr double aspect_ratio = 5;  // of the deck's rods
 
 /// Writes a mean with as many digits as its error tells: down to the error's second one.
 std::string text(const SeedMean& mean) {
@@ -28,7 +28,9 @@ std::string text(const SeedMean& mean) {
   return buffer;
 }
 
-int spheres(double overlap) { return sphere_count({aspect_ratio, diameter, overlap, 0, diameter}); }
+int spheres(double overlap) {
+  return sphere_count({aspect_ratio, rod_diameter, overlap, 0, rod_diameter});
+}
 
 std::string microseconds(double step) { return number_text(1e6 * step, 3); }
 
@@ -87,8 +89,8 @@ std::string comparison_table(const RowList& rows, const BedComparison& compariso
 
 std::string surface_table(const RowList& rows, int rods) {
   const auto capsule = [] {
-    const double length = (aspect_ratio - 1) * diameter;
-    return length * diameter + std::acos(-1.0) / 4 * diameter * diameter;
+    const double length = (aspect_ratio - 1) * rod_diameter;
+    return length * rod_diameter + std::acos(-1.0) / 4 * rod_diameter * rod_diameter;
   }();
   std::string table =
       "\n### A chain beside the capsule it stands for\nClosed forms; the range of the force is "
@@ -107,11 +109,12 @@ std::string surface_table(const RowList& rows, int rods) {
               number_text(range.largest, 2);
       over = number_text(sliding_amplitude(f) / overlap.value, 2);
     }
-    table += "| " + std::to_string(spheres(f)) + " (" + number_text(f) + ") | " +
-             number_text(groove_depth(f), 3) + " | " + number_text(100 * sliding_amplitude(f), 3) +
-             " | " + over + " | " + number_text(groove_friction(f), 3) + " | " + force + " | " +
-             number_text(covered_area({aspect_ratio, diameter, f, 0, diameter}) / capsule, 4) +
-             " |\n";
+    table +=
+        "| " + std::to_string(spheres(f)) + " (" + number_text(f) + ") | " +
+        number_text(groove_depth(f), 3) + " | " + number_text(100 * sliding_amplitude(f), 3) +
+        " | " + over + " | " + number_text(groove_friction(f), 3) + " | " + force + " | " +
+        number_text(covered_area({aspect_ratio, rod_diameter, f, 0, rod_diameter}) / capsule, 4) +
+        " |\n";
   }
   return table;
 }

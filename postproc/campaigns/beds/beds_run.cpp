@@ -18,8 +18,7 @@
 namespace rodpack {
 namespace {
 
-constexpr double diameter = 3e-3;  // m, as in the deck
-constexpr double gravity = 9.81;   // m/s^2
+constexpr double gravity = 9.81;  // m/s^2
 
 /// Returns the processor time of all programs that this one has waited for, s.
 double processor_time_of_runs() {
@@ -43,7 +42,7 @@ void measure_bodies(const Frame& bodies, double width, BedRow& row) {
   }
   // The mean height of an even bed is half of its own.
   row.solid_fraction = covered / (2 * height * width);
-  row.height = height / diameter;
+  row.height = height / rod_diameter;
 }
 
 void measure_contacts(const Frame& contacts, const Frame& bodies, BedRow& row) {
@@ -58,7 +57,7 @@ void measure_contacts(const Frame& contacts, const Frame& bodies, BedRow& row) {
       continue;
     }
     between_rods += 1;
-    row.overlap += overlap[c] / diameter;
+    row.overlap += overlap[c] / rod_diameter;
     const double sign = i[c] < j[c] ? 1 : -1;
     auto& force = pairs[std::minmax(i[c], j[c])];
     force.first += sign * fx[c];

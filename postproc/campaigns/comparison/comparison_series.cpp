@@ -5,7 +5,6 @@
 
 namespace rodpack {
 namespace {
-constexpr double degrees = 180 / pi;  // in a radian
 using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 }  // namespace
 
@@ -29,7 +28,7 @@ void write_trajectories(const Comparison& comparison, const std::string& file) {
     };
     add(run->name + "_x_m", run->bodies.x, 1);
     add(run->name + "_y_m", run->bodies.y, 1);
-    add(run->name + "_angle_deg", run->bodies.angle, degrees);
+    add(run->name + "_angle_deg", run->bodies.angle, degrees_in_radian);
   }
   write_csv(file, columns);
 }

@@ -10,8 +10,6 @@
 
 namespace rodpack {
 namespace {
-constexpr double degrees = 180 / pi;  // in a radian
-
 using Value = std::optional<double>;
 
 /// Collects rows; a quantity of all three runs is a function of the run.
@@ -72,7 +70,7 @@ void add_leak(RowCollector& rows) {
   leak("largest_v_z", "m/s", &Leak::vz);
   leak("largest_omega_x", "rad/s", &Leak::omega_x);
   leak("largest_omega_y", "rad/s", &Leak::omega_y);
-  leak("largest_tilt_out_of_the_plane", "deg", &Leak::tilt, degrees);
+  leak("largest_tilt_out_of_the_plane", "deg", &Leak::tilt, degrees_in_radian);
   leak("largest_omega_z_for_scale", "rad/s", &Leak::omega_z);
 }
 
