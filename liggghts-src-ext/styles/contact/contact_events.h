@@ -110,6 +110,7 @@ class ContactEvents : protected Pointers {
   class FixPropertyAtom* torque_changes_ = NULL;
   class FixPropertyAtom* last_jump_ = NULL;
   class FixPropertyAtom* jump_before_ = NULL;  // for contacts of a restart, one step old
+  int frozen_groups_ = 0;                      // bits
   std::vector<int> changed_;
   std::vector<char> is_changed_;  // of each atom, whether it is in that list
   bool local_jump_ = false, any_jumped_ = false;
