@@ -38,6 +38,12 @@ std::string put(int number, const std::string& kind, double x, double y, double 
          " total 1 interval 1 velocity " + twice_vx + " angle " + twice_angle + "\n";
 }
 
+std::string number_format(int numbers) {
+  std::string format;
+  for (int k = 0; k < numbers; ++k) format += " %.17g";
+  return format;
+}
+
 /// Balls, rods of nine spheres in a row, and balls of the rods' density.
 struct Scene {
   std::string integrator = "order 3 planar yes", damping = "0.2", friction = "0.3",
@@ -67,15 +73,17 @@ struct Scene {
               integrator + "\n" + bodies + (restart.empty() ? "run 1\n" : "") +
               "dump bodies all multisphere/body 1 bodies.dump\n"
               "dump_modify bodies format %.17g first yes\n"
-              "dump spheres all multisphere/sphere 1 spheres.dump\n"
-              "dump_modify spheres format %.17g first yes\n"
-              "thermo 1\nthermo_modify norm no lost error format float %.17g\n" +
-              after + "\n");
+              "dump spheres all custom 1 spheres.dump id x y z vx vy vz omegax omegay omegaz fx fy "
+              "fz "
+              "tqx tqy tqz\n"
+              "dump_modify spheres sort id first yes format \"%d" +
+              number_format(15) + "\"\n" +
+              "thermo 1\nthermo_modify norm no lost error format float %.17g\n" + after + "\n");
   }
 };
 
 const std::string forces =
-    "thermo_style custom step atoms f_hold[1] f_hold[2] f_hold[3] f_hold[4] f_hold[5] f_hold[6]\n"
+    "thermo_style custom step f_hold[1] f_hold[2] f_hold[3] f_hold[4] f_hold[5] f_hold[6]\n"
     "thermo_modify norm no lost error format float %.17g\n";
 
 std::string hold(const std::string& spheres, const std::string& motion = "") {
@@ -94,6 +102,13 @@ Table bodies_of(const Run& run, int frame = -1) {
 Table spheres_of(const Run& run, int frame = -1) {
   return read_dump(run.folder / "spheres.dump", frame);
 }
+
+/// The first thermo table with this column.
+Table thermo_of(const Run& run, const std::string& column) {
+  const auto at = run.output.rfind("Step", run.output.find(column));
+  return read_thermo(run.output.substr(at));
+}
+Table forces_in(const Run& run) { return thermo_of(run, " hold[1]"); }
 
 /// A ball that flies into a held one, whose centre is at (0.05, 0.05), from the left.
 std::string bounce(const Scene& scene, const std::string& motion = "", double offset = 0) {
@@ -162,17 +177,17 @@ TEST(MoveMultisphere, AHeldBodyIsInfinitelyHeavyInACollision) {
 TEST(MoveMultisphere, TheForceIsOppositeToThatOnTheOther) {
   for (const char* motion : {"", "velocity 0.1 -0.05 0 omega 0 0 200"}) {
     const auto run = finished(bounce(Scene(), motion, 1e-3));
-    const Table force = read_thermo(run.output.substr(run.output.find("Step Atoms f_hold")));
+    const Table force = forces_in(run);
     ASSERT_EQ(force.rows(), 201u);
     int touching = 0;
     for (int step = 0; step <= 200; ++step) {
       const Table spheres = spheres_of(run, step);
       const double fx = spheres.column("fx")[1], fy = spheres.column("fy")[1];
       touching += fx != 0;
-      EXPECT_EQ(force.column("f_hold[1]")[step], -fx);
-      EXPECT_EQ(force.column("f_hold[2]")[step], -fy);
+      EXPECT_EQ(force.column("hold[1]")[step], -fx);
+      EXPECT_EQ(force.column("hold[2]")[step], -fy);
       // Both balls turn the same way under the tangential force, by equal levers of r - delta/2.
-      EXPECT_NEAR(force.column("f_hold[6]")[step], spheres.column("tz")[1],
+      EXPECT_NEAR(force.column("hold[6]")[step], spheres.column("tqz")[1],
                   1e-12 * std::hypot(fx, fy) * diameter);
     }
     EXPECT_GT(touching, 40);
@@ -183,9 +198,9 @@ TEST(MoveMultisphere, TheForceIsOppositeToThatOnTheOther) {
 TEST(MoveMultisphere, TheTorqueRefersToTheOriginThatIsGiven) {
   const auto torque = [](const std::string& motion) {
     const auto run = finished(bounce(Scene(), motion, 1e-3));
-    const Table force = read_thermo(run.output.substr(run.output.find("Step Atoms f_hold")));
-    return std::array<double, 3>{force.column("f_hold[1]")[120], force.column("f_hold[2]")[120],
-                                 force.column("f_hold[6]")[120]};
+    const Table force = forces_in(run);
+    return std::array<double, 3>{force.column("hold[1]")[120], force.column("hold[2]")[120],
+                                 force.column("hold[6]")[120]};
   };
   const auto own = torque(""), about = torque("origin 0.02 0.01 0");
   EXPECT_GT(std::fabs(own[0]), 1e-3);
@@ -357,9 +372,7 @@ TEST(MoveMultisphere, RanksAgreeWithOneRankToRounding) {
                    hold("1:9", "velocity 0.02 0.03 0 omega 0 0 20 origin 0.04 0.05 0") +
                        "fix weight all gravity 20 vector 0 -1 0\nrun 1500");
   const auto one = finished(deck);
-  const auto force = [](const Run& run) {
-    return read_thermo(run.output.substr(run.output.find("Step Atoms f_hold")));
-  };
+  const auto force = [](const Run& run) { return forces_in(run); };
   EXPECT_GT(std::fabs(bodies_of(one).column("omegaz")[1]), 1);
   for (const int ranks : {2, 4}) {
     const auto several = finished(deck, ranks);
@@ -368,7 +381,7 @@ TEST(MoveMultisphere, RanksAgreeWithOneRankToRounding) {
         EXPECT_NEAR(bodies_of(several).column(name)[i], bodies_of(one).column(name)[i], 1e-8)
             << name << i << ranks;
     const Table expected = force(one), found = force(several);
-    for (const char* name : {"f_hold[1]", "f_hold[2]", "f_hold[6]"})
+    for (const char* name : {"hold[1]", "hold[2]", "hold[6]"})
       for (std::size_t step = 0; step < expected.rows(); ++step)
         EXPECT_NEAR(found.column(name)[step], expected.column(name)[step], 1e-9) << name << ranks;
   }
@@ -399,7 +412,7 @@ TEST(MoveMultisphere, ItHasNoKineticEnergyAndNoPartInTheStabilityLimit) {
         hold("1:9", "velocity 0.2 0 0 omega 0 0 3") +
             "compute e all multisphere/ke\nfix stable all check/timestep/multisphere 1 error no\n"
             "thermo_style custom step f_stable c_e[1] c_e[2]\nrun 0"));
-    return read_thermo(run.output.substr(run.output.find("Step stable")));
+    return thermo_of(run, " e[1]");
   };
   const Table light = values("1e-3"), heavy = values("1e4");
   const double mass = 2500 * M_PI / 6 * std::pow(diameter, 3);
@@ -436,8 +449,8 @@ TEST(MoveMultisphere, ThePlanarEngineMovesAndHoldsThemAlike) {
         for (std::size_t i = 0; i < 6; ++i)
           EXPECT_NEAR(a.column(name)[i], b.column(name)[i], 1e-8) << name << i << ranks;
       const auto force = [](const Run& of) {
-        const Table table = read_thermo(of.output.substr(of.output.find("Step Atoms f_hold")));
-        return table.column("f_hold[2]").back();
+        const Table table = forces_in(of);
+        return table.column("hold[2]").back();
       };
       EXPECT_LT(force(expected), -1e-5);
       EXPECT_NEAR(force(engine), force(expected), 1e-9);
