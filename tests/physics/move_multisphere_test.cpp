@@ -333,10 +333,10 @@ TEST(MoveMultisphere, RestartRepeatsTheUninterruptedRunToTheLastBit) {
       scene.integrator = integrator;
       const std::string bodies =
           put(1, "rod", 0.05, 0.05, 0, 60) + put(2, "ball", 0.046, 0.051, 0.5);
-      const auto whole = finished(
-          scene.with(bodies, hold("1:9", motion) + "run 120\nwrite_restart half\nrun 100"), ranks);
+      const auto whole =
+          finished(scene.with(bodies, hold("1:9", motion) + "restart 121 half.*\nrun 220"), ranks);
       const Table spheres = spheres_of(whole), expected = bodies_of(whole);
-      scene.restart = "half";
+      scene.restart = "half.121";
       const auto on = run_liggghts_in(
           whole.folder,
           scene.with("", "fix hold held move/multisphere " + motion + "\n" + forces + "run 100"),

@@ -126,6 +126,7 @@ class FixMultisphereAB : public FixMultisphere {
   // forces of a step, and of a restart file, belong together.
   VectorContainer<double, 12>* missed_motion_;
   std::vector<class FixMoveMultisphere*> movers_;  // NULL for one that has ended
+  bool spheres_lag_ = false;          // whether spheres do not know velocities that were prescribed
   ScalarContainer<int>* prescribed_;  // which of these moves the body, counted from 1; 0: none
   VectorContainer<double, 3>* planar_load_;  // force x, y, torque z; while bodies change their rank
   // Records of the past, oldest first. Short ones only with `planar yes`: with `planar auto` the

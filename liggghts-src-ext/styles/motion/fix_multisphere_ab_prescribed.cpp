@@ -8,12 +8,14 @@
 #include "fix_multisphere_ab.h"
 #include "math_extra.h"
 #include "modify.h"
+#include "mpi_liggghts.h"
 #include "stop_run.h"
 
 using namespace LAMMPS_NS;
 
 /// Finds who moves which body, and sets the velocities of these bodies to what they are now.
 void FixMultisphereAB::find_prescribed() {
+  int other_velocities = 0;
   movers_.clear();
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "move/multisphere") == 0)
@@ -37,8 +39,19 @@ void FixMultisphereAB::find_prescribed() {
     }
     if (by == 0 && !is_prescribed(body)) continue;
     prescribe(body, by);
-    if (by > 0) move_prescribed(body);
+    if (by == 0) continue;
+    double before[6], now[6];
+    const auto velocities = [&](double* to) {
+      std::copy(vcm_(body), vcm_(body) + 3, to);
+      std::copy(omega_(body), omega_(body) + 3, to + 3);
+    };
+    velocities(before);
+    move_prescribed(body);
+    velocities(now);
+    if (!std::equal(now, now + 6, before)) other_velocities = 1;
   }
+  MPI_Max_Scalar(other_velocities, world);
+  spheres_lag_ = other_velocities != 0;
 }
 
 /// Lets a mover have the body, or, with 0, none: set free, it starts anew as at birth.
@@ -59,7 +72,9 @@ void FixMultisphereAB::set_free(const FixMoveMultisphere* mover) {
 
 void FixMultisphereAB::setup_pre_neighbor() {
   FixMultisphere::setup_pre_neighbor();
-  if (movers_.empty()) return;
+  // Not where nothing has changed: the same velocities may differ by a rounding error.
+  if (!spheres_lag_) return;
+  spheres_lag_ = false;
   evflag = 0;
   set_v_communicate();
 }

@@ -41,7 +41,8 @@ TEST(PrescribedMotion, ABodyThatIsHeldStaysToTheLastBit) {
 TEST(PrescribedMotion, ASteadyOneIsTheProductOfVelocityAndTime) {
   PrescribedMotion motion;
   motion.velocity[1] = 0.1;
-  EXPECT_EQ(motion.at(start, 0.0, 12345.0).pose.position[1], start.position[1] + 0.1 * 12345.0);
+  EXPECT_DOUBLE_EQ(motion.at(start, 0.0, 12345.0).pose.position[1],
+                   start.position[1] + 0.1 * 12345.0);
   EXPECT_TRUE(motion.is_steady());
   EXPECT_TRUE(motion.is_in_plane());
 }
