@@ -110,7 +110,6 @@ class ContactEvents : protected Pointers {
   class FixPropertyAtom* torque_changes_ = NULL;
   class FixPropertyAtom* last_jump_ = NULL;
   class FixPropertyAtom* jump_before_ = NULL;  // for contacts of a restart, one step old
-  int frozen_groups_ = 0;                      // bits
   std::vector<int> changed_;
   std::vector<char> is_changed_;  // of each atom, whether it is in that list
   bool local_jump_ = false, any_jumped_ = false;
@@ -118,6 +117,7 @@ class ContactEvents : protected Pointers {
   // Whether jumps may have changed motions in this step, and whether in the last one; after a
   // restart that is not known.
   bool pending_ = true, follows_jump_ = true;
+  int frozen_groups_ = 0;  // bits of the groups that are infinitely heavy in a contact
 };
 
 }  // namespace LAMMPS_NS
