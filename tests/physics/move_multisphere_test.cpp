@@ -114,9 +114,12 @@ Table forces_in(const Run& run) { return thermo_of(run, " hold[1]"); }
 double last_force(const Run& run) { return forces_in(run).column("hold[2]").back(); }
 
 /// A ball that flies into a held one, whose centre is at (0.05, 0.05), from the left.
-std::string bounce(const Scene& scene, const std::string& motion = "", double offset = 0) {
-  return scene.with(put(1, "heavy", 0.05, 0.05) + put(2, "ball", 0.0465, 0.05 + offset, 0.5),
-                    hold("1", motion) + "run 200");
+std::string bounce(const Scene& scene, const std::string& motion = "", double offset = 0,
+                   double speed = 0.5) {
+  const double gap = 1e-3 * speed;  // 91 steps
+  return scene.with(
+      put(1, "heavy", 0.05, 0.05) + put(2, "ball", 0.05 - diameter - gap, 0.05 + offset, speed),
+      hold("1", motion) + "run 200");
 }
 
 const char* const motion_columns[] = {"x", "y", "vx", "vy", "omegaz"};
@@ -193,7 +196,7 @@ TEST(MoveMultisphere, TheForceIsOppositeToThatOnTheOther) {
       EXPECT_NEAR(force.column("hold[6]")[step], spheres.column("tqz")[1],
                   1e-12 * std::hypot(fx, fy) * diameter);
     }
-    EXPECT_GT(touching, 40);
+    EXPECT_GT(touching, 30);
   }
 }
 
@@ -202,8 +205,8 @@ TEST(MoveMultisphere, TheTorqueRefersToTheOriginThatIsGiven) {
   const auto torque = [](const std::string& motion) {
     const auto run = finished(bounce(Scene(), motion, 1e-3));
     const Table force = forces_in(run);
-    return std::array<double, 3>{force.column("hold[1]")[120], force.column("hold[2]")[120],
-                                 force.column("hold[6]")[120]};
+    return std::array<double, 3>{force.column("hold[1]")[140], force.column("hold[2]")[140],
+                                 force.column("hold[6]")[140]};
   };
   const auto own = torque(""), about = torque("origin 0.02 0.01 0");
   EXPECT_GT(std::fabs(own[0]), 1e-3);
@@ -240,16 +243,16 @@ TEST(MoveMultisphere, AMovingBodyIsOneAtRestSeenByOneWhoMoves) {
 // A ball hits a held one that turns. Springs alone (eta = 0) give the normal impulse 2 m u; the
 // surface of the held one moves by omega r across it, so fast that all the contact slides, and
 // friction passes mu times that on: v_t = 2 mu u along the surface's motion, and the spin
-// 5/2 v_t / r (less delta/2 of the lever, of at most 3 % of r).
+// 5/2 v_t / r. So slow that overlap and way along the surface are below 4e-4 of the ball.
 TEST(MoveMultisphere, ATurningBodyDragsWhatItTouches) {
   Scene scene;
   scene.damping = "0";
-  const double u = 0.5, mu = 0.3, omega = 2000;
+  const double u = 0.005, mu = 0.3, omega = 200;
   // The contact point is on the left of the held ball: omega x (-r, 0) = (0, -omega r).
-  const Table end = bodies_of(finished(bounce(scene, "omega 0 0 " + exact(omega))));
-  EXPECT_NEAR(end.column("vx")[1], -u, 1e-3 * u);
-  EXPECT_NEAR(end.column("vy")[1] / (-2 * mu * u), 1, 2e-3);
-  EXPECT_NEAR(end.column("omegaz")[1] / (-2.5 * 2 * mu * u / (0.5 * diameter)), 1, 0.03);
+  const Table end = bodies_of(finished(bounce(scene, "omega 0 0 " + exact(omega), 0, u)));
+  EXPECT_NEAR(end.column("vx")[1] / -u, 1, 1e-3);
+  EXPECT_NEAR(end.column("vy")[1] / (-2 * mu * u), 1, 1e-3);
+  EXPECT_NEAR(end.column("omegaz")[1] / (-2.5 * 2 * mu * u / (0.5 * diameter)), 1, 1e-3);
   EXPECT_EQ(end.column("omegaz")[0], omega);
 }
 
@@ -410,18 +413,18 @@ TEST(MoveMultisphere, ItHasNoKineticEnergyAndNoPartInTheStabilityLimit) {
     Scene scene;
     scene.density = density;
     const auto run = finished(scene.with(
-        put(1, "rod", 0.05, 0.05, 0, 90) + put(2, "ball", 0.04705, 0.05, 0.5),
+        put(1, "rod", 0.05, 0.05, 0, 90) + put(2, "ball", 0.04699, 0.05, 0.5),
         hold("1:9", "velocity 0.2 0 0 omega 0 0 3") +
             "compute e all multisphere/ke\nfix stable all check/timestep/multisphere 1 error no\n"
-            "thermo_style custom step f_stable c_e[1] c_e[2]\nrun 0"));
+            "thermo_style custom step f_stable c_e[1] c_e[2]\nrun 20"));
     return thermo_of(run, " e[1]");
   };
   const Table light = values("1e-3"), heavy = values("1e4");
   const double mass = 2500 * M_PI / 6 * std::pow(diameter, 3);
   EXPECT_NEAR(light.column("e[1]")[0] / (0.5 * mass * 0.25), 1, 1e-12);
   EXPECT_EQ(light.column("e[2]")[0], 0);
-  EXPECT_EQ(light.column("stable")[0], heavy.column("stable")[0]);
-  EXPECT_LT(light.column("stable")[0], 0.2);
+  EXPECT_EQ(light.column("stable").back(), heavy.column("stable").back());  // in contact
+  EXPECT_LT(light.column("stable").back(), 0.2);
 }
 
 // A floor of glued rods, and one that moves along and turns, under rods that fall.
@@ -431,8 +434,8 @@ TEST(MoveMultisphere, ThePlanarEngineMovesAndHoldsThemAlike) {
     scene.integrator = integrator;
     return finished(
         scene.with(put(1, "rod", 0.035, 0.03) + put(2, "rod", 0.0505, 0.0302) +
-                       put(3, "rod", 0.066, 0.03) + put(4, "rod", 0.04, 0.036, 0, 30) +
-                       put(5, "rod", 0.062, 0.037, -0.1, 100) + put(6, "rod", 0.052, 0.043, 0, 10),
+                       put(3, "rod", 0.066, 0.03) + put(4, "rod", 0.04, 0.0375, 0, 30) +
+                       put(5, "rod", 0.064, 0.0425, -0.1, 100) + put(6, "rod", 0.052, 0.048, 0, 10),
                    "fix weight all gravity 9.81 vector 0 -1 0\n"
                    "group plank id 10:18\nfix turn plank move/multisphere velocity 0.01 0 0 omega "
                    "0 0 5\n" +
@@ -468,9 +471,11 @@ TEST(MoveMultisphere, WhatCannotBeIsOneLineThatNamesIt) {
        "that are there"},
       {rods, "group part id 1:4\nfix hold part move/multisphere\nrun 1",
        "group part has 4 of the 9 spheres of body 1, expected all of them or none"},
-      {rods + "create_atoms 1 single 0.08 0.08 0 units box\nset group all diameter 0.003 density "
-              "2500\nfix single all nve/sphere/ab\n",
-       "fix hold all move/multisphere\nrun 1", "group all has sphere 1 of no body"},
+      {rods +
+           "fix plain all particletemplate/sphere 15485863 atom_type 1 density constant 2500 "
+           "radius constant 0.0015\nfix single all nve/sphere/ab\n" +
+           put(3, "plain", 0.08, 0.08),
+       "fix hold all move/multisphere\nrun 1", "group all has sphere 11 of no body"},
       {rods,
        "group a id 1:9\ngroup b id 1:10\nfix hold a move/multisphere\nfix move b move/multisphere "
        "velocity 1 0 0\nrun 1",
