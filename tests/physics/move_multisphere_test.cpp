@@ -416,7 +416,8 @@ TEST(MoveMultisphere, ItHasNoKineticEnergyAndNoPartInTheStabilityLimit) {
         put(1, "rod", 0.05, 0.05, 0, 90) + put(2, "ball", 0.04699, 0.05, 0.5),
         hold("1:9", "velocity 0.2 0 0 omega 0 0 3") +
             "compute e all multisphere/ke\nfix stable all check/timestep/multisphere 1 error no\n"
-            "thermo_style custom step f_stable c_e[1] c_e[2]\nrun 20"));
+            "thermo_style custom step f_stable c_e[1] c_e[2]\n"
+            "thermo_modify norm no lost error format float %.17g\nrun 20"));
     return thermo_of(run, " e[1]");
   };
   const Table light = values("1e-3"), heavy = values("1e4");
