@@ -10,7 +10,9 @@
 #include "comm.h"
 #include "fix_multisphere.h"
 #include "fix_property_atom.h"
+#include "force.h"
 #include "modify.h"
+#include "pair_gran.h"
 #include "update.h"
 #include "vector_liggghts.h"
 #ifdef RODPACK_STAGED
@@ -60,6 +62,8 @@ void ContactEvents::init() {
 
 void ContactEvents::arm() {
   armed_ = this;
+  const PairGran* const pair = dynamic_cast<PairGran*>(force->pair_match("gran", 0));
+  frozen_groups_ = pair ? pair->freeze_group_bit() : 0;
   last_step_ = update->ntimestep;
   follows_jump_ = pending_;
   pending_ = false;
@@ -144,6 +148,9 @@ ContactEvents::Contact ContactEvents::as_if_in_contact(const ClosePair& pair) co
   if (!pair.is_wall) {
     contact.mj = atom->rmass[pair.j];
     contact.meff = rodpack::effective_mass(contact.mi, contact.mj);
+    // As PairGran has it: who is frozen, or moved as prescribed, is infinitely heavy.
+    if (atom->mask[pair.i] & frozen_groups_) contact.meff = contact.mj;
+    if (atom->mask[pair.j] & frozen_groups_) contact.meff = contact.mi;
     contact.omega_j = atom->omega[pair.j];
   }
   rodpack::complete_contact(contact);

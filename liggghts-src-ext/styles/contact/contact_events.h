@@ -117,6 +117,7 @@ class ContactEvents : protected Pointers {
   // Whether jumps may have changed motions in this step, and whether in the last one; after a
   // restart that is not known.
   bool pending_ = true, follows_jump_ = true;
+  int frozen_groups_ = 0;  // bits of the groups that are infinitely heavy in a contact
 };
 
 }  // namespace LAMMPS_NS

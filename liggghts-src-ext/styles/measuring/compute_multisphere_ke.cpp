@@ -4,7 +4,7 @@
 #include <mpi.h>
 #include <string>
 #include "atom.h"
-#include "fix_multisphere.h"
+#include "multisphere_fix.h"
 #include "particle_identity.h"
 #include "style_arguments.h"
 #include "vector_liggghts.h"
@@ -29,7 +29,9 @@ void ComputeMultisphereKe::evaluate() {
     double** const axes[3] = {data.extract_double_vector("ex_space"),
                               data.extract_double_vector("ey_space"),
                               data.extract_double_vector("ez_space")};
+    const ScalarContainer<int>* const prescribed = prescribed_motions(data);
     for (int k = 0; k < data.n_body(); ++k) {
+      if (prescribed && (*prescribed)(k) != 0) continue;  // its mass has no meaning
       double velocity[3], omega[3];
       data.vcm(velocity, k);
       data.omega(omega, k);

@@ -13,11 +13,11 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "fix_multisphere.h"
 #include "fix_property_global.h"
 #include "fix_template_sphere.h"
 #include "gather.h"
 #include "modify.h"
+#include "multisphere_fix.h"
 #include "particle_identity.h"
 #include "rodpack/motion/stability_limit.h"
 #include "stop_run.h"
@@ -106,13 +106,23 @@ double FixCheckTimestepMultisphere::property(const char* name, int i, int j) con
   return fix ? static_cast<FixPropertyGlobal*>(fix)->compute_array(i - 1, j - 1) : 0.0;
 }
 
-/// Mass of the lightest particle; before there is any, of the lightest particle template; 0 if
-/// there is none either.
+/// The groups of the fixes of a style, as bits.
+int FixCheckTimestepMultisphere::groups_of(const char* of_style) const {
+  int groups = 0;
+  for (int k = 0; k < modify->n_fixes_style(of_style); ++k)
+    groups |= modify->find_fix_style(of_style, k)->groupbit;
+  return groups;
+}
+
+/// Mass of the lightest particle whose motion is not prescribed; before there is any, of the
+/// lightest particle template; 0 if there is none either.
 double FixCheckTimestepMultisphere::lightest_mass() const {
   const double none = std::numeric_limits<double>::max();
   double lightest = none;
   // Each sphere of a body carries the body's mass.
-  for (int i = 0; i < atom->nlocal; ++i) lightest = std::min(lightest, atom->rmass[i]);
+  const int prescribed = groups_of("move/multisphere");
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (!(atom->mask[i] & prescribed)) lightest = std::min(lightest, atom->rmass[i]);
   MPI_Allreduce(MPI_IN_PLACE, &lightest, 1, MPI_DOUBLE, MPI_MIN, world);
   if (lightest < none) return lightest;
   for (int k = 0; k < modify->n_fixes_style("particletemplate"); ++k) {
@@ -187,7 +197,9 @@ std::vector<FixCheckTimestepMultisphere::IdentifiedBody> FixCheckTimestepMultisp
                               bodies.prop().getElementProperty<Vectors>("ez_space")};
     Flags& moves = *bodies.prop().getElementProperty<Flags>("fflag");
     Flags& turns = *bodies.prop().getElementProperty<Flags>("tflag");
+    const ScalarContainer<int>* const prescribed = prescribed_motions(bodies);
     for (int k = 0; k < fix->n_body(); ++k) {
+      const bool is_held = prescribed && (*prescribed)(k) != 0;
       NetworkBody body = {};
       body.mass = bodies.mass(k);
       for (int d = 0; d < 3; ++d) {
@@ -195,15 +207,13 @@ std::vector<FixCheckTimestepMultisphere::IdentifiedBody> FixCheckTimestepMultisp
         const double* const axis = (*axes[d])(k);
         for (int a = 0; a < 3; ++a)
           for (int b = 0; b < 3; ++b) body.moments[a][b] += moment * axis[a] * axis[b];
-        body.is_free[d] = (!planar || d < 2) && moves(k)[d];
-        body.is_free[3 + d] = (!planar || d == 2) && turns(k)[d];
+        body.is_free[d] = !is_held && (!planar || d < 2) && moves(k)[d];
+        body.is_free[3 + d] = !is_held && (!planar || d == 2) && turns(k)[d];
       }
       result.push_back({bodies.tag(k), body});
     }
   }
-  int frozen = 0;
-  for (int k = 0; k < modify->n_fixes_style("freeze"); ++k)
-    frozen |= modify->find_fix_style("freeze", k)->groupbit;
+  const int frozen = groups_of("freeze");
   for (int i = 0; i < atom->nlocal; ++i) {
     if (particles.body_of(i) >= 0) continue;
     NetworkBody body = {};

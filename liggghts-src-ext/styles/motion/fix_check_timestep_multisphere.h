@@ -45,6 +45,7 @@ class FixCheckTimestepMultisphere : public Fix {
   void check();
   int running_order() const;
   double property(const char* name, int i, int j) const;
+  int groups_of(const char* of_style) const;
   double lightest_mass() const;
   Limit limit_of_single_contact(double mass);
   std::vector<rodpack::NetworkContact> contacts_here(const class ParticleIdentity& particles);

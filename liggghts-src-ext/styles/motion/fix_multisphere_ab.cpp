@@ -50,7 +50,8 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
       ez_(property<Vectors>(multisphere_, "ez_space")),
       quat_(property<VectorContainer<double, 4> >(multisphere_, "quat")),
       fflag_(property<VectorContainer<bool, 3> >(multisphere_, "fflag")),
-      tflag_(property<VectorContainer<bool, 3> >(multisphere_, "tflag")) {
+      tflag_(property<VectorContainer<bool, 3> >(multisphere_, "tflag")),
+      image_(property<ScalarContainer<int> >(multisphere_, "imagebody")) {
   if (modify->n_fixes_style("multisphere") > 0)
     stop_run(lmp, *this, "only one fix multisphere can hold the bodies, and there is one already");
   parse(narg, arg);
@@ -104,6 +105,7 @@ void FixMultisphereAB::init() {
     stop_run(lmp, *this,
              "fix insert/stream, which moves bodies by itself at first, is not supported");
   planar_ = options_.planar();
+  find_prescribed();
   if (events_) events_->init();
   restart_history_after_change();
 }
@@ -137,7 +139,9 @@ void FixMultisphereAB::update_history(const std::vector<Record*>& past, int body
 
 void FixMultisphereAB::initial_integrate(int) {
   for (int body = 0; body < n_body(); ++body) {
-    if (planar_)
+    if (is_prescribed(body))
+      move_prescribed(body);
+    else if (planar_)
       advance_planar(body);
     else
       advance_spatial(body);

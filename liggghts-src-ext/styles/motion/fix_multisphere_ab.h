@@ -35,6 +35,8 @@ class FixMultisphereAB : public FixMultisphere {
 
   void post_create() override;
   void init() override;
+  void pre_neighbor() override;
+  void setup_pre_neighbor() override;
   void initial_integrate(int) override;
   void pre_force(int) override;
   void final_integrate() override;
@@ -45,6 +47,11 @@ class FixMultisphereAB : public FixMultisphere {
   /// Tells contact models the "multistep_order", an int*, and the "contact_events", a
   /// ContactEvents*, which is null unless events are followed.
   void* extract(const char*, int&) override;
+
+  /// Whether a fix move/multisphere moves the body.
+  bool is_prescribed(int body) const { return (*prescribed_)(body) != 0; }
+  /// Sets the bodies free that this fix moves, which is about to end.
+  void set_free(const class FixMoveMultisphere* mover);
 
   // The planar engine takes bodies over and gives them back (fix_multisphere_ab_planar.cpp).
   int order() const { return order_; }
@@ -87,6 +94,11 @@ class FixMultisphereAB : public FixMultisphere {
   void read_jump(const std::vector<int>& atoms, rodpack::PlanarBody& planar);
   void publish_jump(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
 
+  // Bodies whose motion is prescribed (fix_multisphere_ab_prescribed.cpp).
+  void find_prescribed();
+  void prescribe(int body, int by);
+  void move_prescribed(int body);
+
   // What events of contacts do to the bodies (fix_multisphere_ab_events.cpp).
   void apply_events();
   void sum_changes();
@@ -113,6 +125,9 @@ class FixMultisphereAB : public FixMultisphere {
   // m^2/s) by events of the last step. They wait for the next one, so that bodies, spheres and
   // forces of a step, and of a restart file, belong together.
   VectorContainer<double, 12>* missed_motion_;
+  std::vector<class FixMoveMultisphere*> movers_;  // NULL for one that has ended
+  bool spheres_lag_ = false;          // whether spheres do not know velocities that were prescribed
+  ScalarContainer<int>* prescribed_;  // which of these moves the body, counted from 1; 0: none
   VectorContainer<double, 3>* planar_load_;  // force x, y, torque z; while bodies change their rank
   // Records of the past, oldest first. Short ones only with `planar yes`: with `planar auto` the
   // question is open until the run starts, and planar rates then fill the front of the long ones.
@@ -125,6 +140,7 @@ class FixMultisphereAB : public FixMultisphere {
   Vectors &xcm_, &vcm_, &fcm_, &torque_, &angmom_, &omega_, &inertia_, &ex_, &ey_, &ez_;
   VectorContainer<double, 4>& quat_;
   VectorContainer<bool, 3>&fflag_, &tflag_;
+  ScalarContainer<int>& image_;
 };
 
 }  // namespace LAMMPS_NS

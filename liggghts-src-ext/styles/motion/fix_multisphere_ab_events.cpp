@@ -46,14 +46,14 @@ void FixMultisphereAB::apply_events() {
 }
 
 /// Sums the changes of the spheres' forces over the bodies that this rank owns, as calc_force does
-/// with the forces.
+/// with the forces. Prescribed motions know no forces.
 void FixMultisphereAB::sum_changes() {
   changed_bodies_.clear();
   changes_.clear();
   place_.resize(n_body(), -1);
   for (int i : events_->changed()) {
     const int body = map(body_[i]);
-    if (body < 0 || !domain->is_owned_or_first_ghost(i)) continue;
+    if (body < 0 || is_prescribed(body) || !domain->is_owned_or_first_ghost(i)) continue;
     if (place_[body] < 0) {
       place_[body] = static_cast<int>(changed_bodies_.size());
       changed_bodies_.push_back(body);

@@ -4,6 +4,7 @@
 
 #include "fix_multisphere_ab.h"
 #include "mpi_liggghts.h"
+#include "multisphere_fix.h"
 #include "rodpack/motion/multistep.h"
 #include "update.h"
 
@@ -39,6 +40,9 @@ void FixMultisphereAB::add_history() {
   planar_load_ = properties.addElementProperty<VectorContainer<double, 3> >(
       "ab_planar_load", "comm_exchange_borders", "frame_invariant", "restart_no");
   planar_load_->setDefaultValue(0.0);
+  prescribed_ = properties.addElementProperty<ScalarContainer<int> >(
+      prescribed_motion, "comm_exchange_borders", "frame_invariant", "restart_no");
+  prescribed_->setDefaultValue(0);
   evaluations_->setDefaultValue(0);
   timestep_->setDefaultValue(0.0);
   if (options_.always_planar())

@@ -15,13 +15,15 @@ using rodpack::PlanarBody;
 /// The body as the engine takes it; `atoms` are its spheres. Its frame is that of space, turned by
 /// no angle yet.
 PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) {
-  if (evaluations_->get(body) == 0) require_planar(body);
-  if (!fflag_(body)[0] || !fflag_(body)[1] || !tflag_(body)[2])
+  const bool prescribed = is_prescribed(body);
+  if (evaluations_->get(body) == 0 && !prescribed) require_planar(body);
+  if (!prescribed && (!fflag_(body)[0] || !fflag_(body)[1] || !tflag_(body)[2]))
     body_error(body, "run_style verlet/planar cannot switch off components of its force or torque");
   PlanarBody planar;
   planar.tag = data().tag(body);
   planar.mass = mass_(body);
   planar.moment = moment_about_z(body);
+  planar.prescribed = prescribed;
   planar.radius = atom->radius[atoms[0]];
   for (int i : atoms) {
     double arm[3];
@@ -92,7 +94,7 @@ void FixMultisphereAB::from_planar(int body, const std::vector<int>& atoms,
   torque_(body)[2] = planar.load[2];
   missed[5] = planar.missed_displacement[2];
   missed[11] = planar.moment * planar.missed_velocity[2];
-  evaluations_->set(body, planar.evaluations);
+  evaluations_->set(body, is_prescribed(body) ? 0 : planar.evaluations);
   if (planar.evaluations > 0) timestep_->set(body, update->dt);
   for (int k = 1; k < order_; ++k) *planar_record(body, k) = planar.past[k - 1];
 

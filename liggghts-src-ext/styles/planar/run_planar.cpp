@@ -16,6 +16,7 @@
 #include "domain.h"
 #include "fix.h"
 #include "fix_gravity.h"
+#include "fix_move_multisphere.h"
 #include "fix_multisphere_ab.h"
 #include "force.h"
 #include "modify.h"
@@ -151,6 +152,11 @@ void RunPlanar::check_fixes() const {
   for (int k = 0; k < modify->nfix; ++k) {
     const Fix& fix = *modify->fix[k];
     if (is_known(fix.style)) continue;
+    const auto* const mover = dynamic_cast<const FixMoveMultisphere*>(&fix);
+    if (mover && !mover->motion().is_steady())
+      refuse(lmp, std::string("fix ") + fix.style + " (id " + fix.id +
+                      ") swings bodies or turns them about one point, expected a constant "
+                      "velocity, and turning of each about its own centre");
     if ((modify->fmask[k] & every_step()) || fix.time_integrate)
       refuse(lmp, std::string("fix ") + fix.style + " (id " + fix.id +
                       ") acts in every step, which the engine cannot honour");

@@ -7,16 +7,17 @@
 
 namespace LAMMPS_NS {
 
-/// Returns the lists of all ranks, one after the other, on every rank; collective.
-inline std::vector<int> gather_on_all(MPI_Comm world, const std::vector<int>& own) {
+/// Returns the records of all ranks, one after the other, on every rank; collective.
+template <class Record>
+std::vector<Record> gather_on_all(MPI_Comm world, const std::vector<Record>& own) {
   int ranks = 1;
   MPI_Comm_size(world, &ranks);
-  const int size = static_cast<int>(own.size());
+  const int bytes = static_cast<int>(own.size() * sizeof(Record));
   std::vector<int> sizes(ranks), starts(ranks, 0);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
+  MPI_Allgather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, world);
   for (int rank = 1; rank < ranks; ++rank) starts[rank] = starts[rank - 1] + sizes[rank - 1];
-  std::vector<int> all(starts.back() + sizes.back());
-  MPI_Allgatherv(own.data(), size, MPI_INT, all.data(), sizes.data(), starts.data(), MPI_INT,
+  std::vector<Record> all((starts.back() + sizes.back()) / sizeof(Record));
+  MPI_Allgatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE,
                  world);
   return all;
 }

@@ -13,6 +13,13 @@ inline FixMultisphere* multisphere_fix(Modify* modify) {
   return static_cast<FixMultisphere*>(modify->find_fix_style("multisphere", 0));
 }
 
+/// Of each body, which fix move/multisphere prescribes its motion, counted from 1, or 0; NULL where
+/// no such fix can be. It is the property of this name.
+const char* const prescribed_motion = "prescribed_motion";
+inline const ScalarContainer<int>* prescribed_motions(Multisphere& bodies) {
+  return bodies.prop().getElementProperty<ScalarContainer<int> >(prescribed_motion);
+}
+
 }  // namespace LAMMPS_NS
 
 #endif

@@ -81,6 +81,11 @@ void StyleArguments::pair(const std::string& keyword, const std::string& expecte
     reject(keyword, "two of " + expected + ", the lower one first", both);
 }
 
+void StyleArguments::vector(const std::string& keyword, const std::string& expected,
+                            double (&values)[3]) {
+  for (double& value : values) value = number(keyword, "three " + expected);
+}
+
 int StyleArguments::integer(const std::string& keyword, const std::string& expected) {
   const std::string text = peek();
   const bigint value = step(keyword, expected);

@@ -51,6 +51,8 @@ class StyleArguments : protected Pointers {
   /// be `ascending`.
   void pair(const std::string& keyword, const std::string& expected, double& low, double& high,
             bool ascending = false);
+  /// Three numbers: "three VALUES in [LOW, HIGH]".
+  void vector(const std::string& keyword, const std::string& expected, double (&values)[3]);
   int integer(const std::string& keyword, const std::string& expected);
   /// An integer as large as a number of steps may be.
   bigint step(const std::string& keyword, const std::string& expected);

@@ -66,6 +66,8 @@ std::vector<Scene> scenes() {
       {"fix_halt", sphere() + verlet + "variable one equal 1\n", "fix c all halt 10 v_one < 0",
        "run 1"},
       {"fix_insert_line", rods + motion, "fix c all " + lines, "run 2"},
+      {"fix_move_multisphere", rods + motion + "fix in all " + lines + "\nrun 1\n",
+       "fix c all move/multisphere velocity 1e-3 0 0 amplitude 1e-6 0 0 period 1", "run 2"},
       {"fix_multisphere_ab", rods, "fix c all multisphere/ab", "fix in all " + lines + "\nrun 2"},
       {"fix_nve_sphere_ab", sphere(), "fix c all nve/sphere/ab", "run 2"},
       {"fix_particletemplate_multisphere_spherocylinder", Deck().with(""),

@@ -77,6 +77,25 @@ TEST(ContactNetwork, TwoSpheresThatMeet) {
 }
 
 // A row of n equal spheres: omega^2 = 4 k/m sin^2(pi (n - 1) / (2 n)), up to 4 k/m.
+// A body that is held is a wall, whatever its mass and on whichever side of the contact.
+TEST(ContactNetwork, ABodyThatIsHeldIsAWall) {
+  NetworkContact with_wall = contact(0, 1, 0.2, 500, 0.1);
+  with_wall.j = -1;
+  const NetworkLimit wall = network_limit(3, {sphere()}, {with_wall});
+  for (const double m : {1e-3 * mass, 1e3 * mass}) {
+    NetworkBody held = sphere(m);
+    held.is_free.fill(false);
+    const NetworkLimit second = network_limit(3, {sphere(), held}, {contact(0, 1, 0.2, 500, 0.1)}),
+                       first = network_limit(3, {held, sphere()}, {contact(0, 1, 0.2, 500, 0.1)});
+    for (const NetworkLimit& found : {first, second}) {
+      EXPECT_NEAR(found.timestep / wall.timestep, 1, 1e-12) << m;
+      EXPECT_NEAR(found.stiffness / wall.stiffness, 1, 1e-12) << m;
+    }
+    EXPECT_EQ(second.stiffest, 0);
+    EXPECT_EQ(first.stiffest, 1);
+  }
+}
+
 TEST(ContactNetwork, ARowOfSpheresIsBoundedFromAboveAndClosely) {
   for (const int n : {3, 5, 20}) {
     std::vector<NetworkBody> bodies(n, sphere());

@@ -2,6 +2,7 @@
 #include "rodpack/contact/contact_network.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -118,17 +119,24 @@ class Network {
   int contacts_of(int body) const { return counts_[body]; }
 
  private:
+  bool moves(int body) const {
+    const auto& is_free = bodies_[body].is_free;
+    return std::any_of(std::begin(is_free), std::end(is_free), [](bool free) { return free; });
+  }
+
   template <class ConstantsOf>
   std::vector<double> by_body(ConstantsOf constants, const std::vector<double>& weights) const {
     std::vector<Matrix6> sums(bodies_.size(), Matrix6::Zero());
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const NetworkContact& contact = contacts_[k];
       const Constants value = constants(contact);
-      const double s = contact.j < 0 ? 0.0 : weights[contact.j] / weights[contact.i];
+      // A partner that is held is a wall: it has no part in the motion.
+      const bool both = contact.j >= 0 && moves(contact.i) && moves(contact.j);
+      const double s = both ? weights[contact.j] / weights[contact.i] : 0.0;
       sums[contact.i] += (1.0 + s) * (value.n * here_[k].along + value.t * here_[k].across);
       if (contact.j >= 0)
         sums[contact.j] +=
-            (1.0 + 1.0 / s) * (value.n * there_[k].along + value.t * there_[k].across);
+            (both ? 1.0 + 1.0 / s : 1.0) * (value.n * there_[k].along + value.t * there_[k].across);
     }
     std::vector<double> result;
     for (const Matrix6& sum : sums) result.push_back(largest_eigenvalue(sum));

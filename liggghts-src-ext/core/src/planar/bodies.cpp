@@ -49,7 +49,7 @@ void PlanarBodyStates::add(int body, const PlanarBody& from) {
   evaluations_[body] = static_cast<std::int8_t>(std::min(from.evaluations, settings_.order + 1));
   for (int d = 0; d < 3; ++d) {
     loads_[body].d[d] = from.load[d];
-    inertia_[body].d[d] = 1.0 / (d < 2 ? from.mass : from.moment);
+    inertia_[body].d[d] = from.prescribed ? 0.0 : 1.0 / (d < 2 ? from.mass : from.moment);
     missed_displacement_[body].d[d] = from.missed_displacement[d];
     missed_velocity_[body].d[d] = from.missed_velocity[d];
   }
@@ -69,6 +69,7 @@ void PlanarBodyStates::add(int body, const PlanarBody& from) {
 void PlanarBodyStates::set_info(int body, const PlanarBody& from) {
   const int count = static_cast<int>(from.spheres.size());
   info_[body] = {from.type,
+                 from.prescribed,
                  from.mass,
                  from.moment,
                  from.radius,
@@ -97,6 +98,7 @@ PlanarBody PlanarBodyStates::present(int index) const {
   PlanarBody body;
   body.tag = tags_[index];
   body.type = of.type;
+  body.prescribed = of.prescribed;
   body.mass = of.mass;
   body.moment = of.moment;
   body.radius = of.radius;

@@ -19,6 +19,7 @@ class PlanarNeighbours;
 /// What is constant about a body.
 struct PlanarBodyInfo {
   int type;
+  bool prescribed;
   double mass, moment, radius;
   double reach;      // of its farthest point from the centre of mass, m
   int first, count;  // of its spheres
@@ -102,7 +103,7 @@ class PlanarBodyStates {
   const PlanarParts parts_;
   AlignedVector<PlanarKinematics> kinematics_;
   AlignedVector<PlanarVector> loads_;
-  AlignedVector<PlanarVector> inertia_;  // 1/mass, 1/mass, 1/moment, mass
+  AlignedVector<PlanarVector> inertia_;  // 1/mass, 1/mass, 1/moment (0 if prescribed), mass
   AlignedVector<PlanarVector> past_velocity_[max_multistep_order - 1];
   AlignedVector<PlanarVector> past_acceleration_[max_multistep_order - 1];
   std::vector<std::int8_t> evaluations_;

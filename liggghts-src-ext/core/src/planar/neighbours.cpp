@@ -186,6 +186,9 @@ PlanarNeighbours::Coefficients PlanarNeighbours::coefficients(int i, int j) cons
     const PlanarBodyInfo& of_j = bodies_.info(j);
     type_j = of_j.type;
     mass = effective_mass(m, of_j.mass);
+    // A prescribed motion is that of an infinite mass.
+    if (of_i.prescribed) mass = of_j.mass;
+    if (of_j.prescribed) mass = m;
   }
   const int law_index = of_i.type * settings_.types + type_j;
   const PlanarLaw& law = settings_.laws[law_index];

@@ -52,8 +52,8 @@ std::size_t most_step_values(std::size_t bodies) {
 }
 
 void append_body(const PlanarBody& body, std::vector<double>& to) {
-  for (const int value :
-       {body.tag, body.type, static_cast<int>(body.spheres.size()), body.jumped ? 1 : 0})
+  for (const int value : {body.tag, body.type, static_cast<int>(body.spheres.size()),
+                          body.prescribed ? 1 : 0, body.jumped ? 1 : 0})
     to.push_back(value);
   for (const double value : {body.mass, body.moment, body.radius, body.position[0],
                              body.position[1], body.cosine, body.sine})
@@ -73,6 +73,7 @@ const double* unpack_body(const double* from, PlanarBody& body) {
   body.tag = static_cast<int>(*from++);
   body.type = static_cast<int>(*from++);
   body.spheres.resize(static_cast<std::size_t>(*from++));
+  body.prescribed = *from++ != 0.0;
   body.jumped = *from++ != 0.0;
   for (double* value : {&body.mass, &body.moment, &body.radius, &body.position[0],
                         &body.position[1], &body.cosine, &body.sine})

@@ -69,6 +69,7 @@ struct PlanarBody {
   int tag = -1;                       // >= 0, the same on all ranks; -1: its index
   int type = 0;                       // 0 .. types-1
   double mass = 0.0, moment = 0.0;    // kg; kg m^2 about the centre of mass
+  bool prescribed = false;            // no force changes its velocities; to others it is as a wall
   double radius = 0.0;                // of all its spheres
   std::vector<PlanarSphere> spheres;  // at most 65535
   double position[2] = {0.0, 0.0};
