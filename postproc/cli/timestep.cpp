@@ -23,15 +23,15 @@ struct TimestepArguments {
   int contacts = 1;
 };
 
-std::string short_number(double value) { return number_text(value, 3); }
+std::string short_number(double value) { return number_text(value, 4); }
 
 void print_table(const std::vector<TimestepAdvice>& all, const TimestepAdvice* best, double error) {
-  std::cout << "method   stable below  time step  steps per  error    steps per     held by\n"
-               "         s             s          collision           simulated s\n";
+  std::cout << "method   stable below  time step   steps per  error      steps per     held by\n"
+               "         s             s           collision             simulated s\n";
   for (const TimestepAdvice& each : all) {
     char line[200];
     if (each.timestep > 0)
-      std::snprintf(line, sizeof line, "%-8s %-13s %-10s %-10s %-8s %-13s %s%s\n",
+      std::snprintf(line, sizeof line, "%-8s %-13s %-11s %-10s %-10s %-13s %s%s\n",
                     each.integrator.name.c_str(), short_number(each.limit).c_str(),
                     short_number(each.timestep).c_str(),
                     short_number(each.steps_per_collision).c_str(),
