@@ -228,7 +228,7 @@ TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
         start[k].position[0] -= middle;
       }
       for (const int side : {1, 2}) settings.walls[side].position -= middle;
-      for (const long before : {9000L, 60000L}) {
+      for (const long before : {8000L, 60000L}) {
         PlanarScene scene(settings, start);
         scene.evaluate();
         scene.run(before);
