@@ -224,11 +224,11 @@ class ClosedForms(unittest.TestCase):
 
     def test_oblique_impacts_under_the_total_cap_approach_their_limit(self):
         # Stuck from touch on, sliding first and last, sliding all through: the mean over all phases of touch, against
-        # the reference, whose error is of first order in 1/20000 of the impact; and its spread, of second order where
-        # sliding and sticking change, else of third. Compared over mu v_n.
+        # the reference, whose error is of first order in 1/20000 of the impact; and its spread, of third order but for
+        # a few moments of touch where several changes meet in a step. Compared over mu v_n.
         eta = laws.damping_ratio_without_tension(0.5)
         unit = thornton.FRICTION * thornton.SPEED
-        for psi, order in (1, 3), (3, 2), (6, 3):
+        for psi, order in (1, 2.8), (3, 2.5), (6, 2.8):
             exact = laws.damped_slip(thornton.RADIUS, thornton.MASS, thornton.STIFFNESS,
                                      thornton.RATIO * thornton.STIFFNESS, eta, thornton.FRICTION, thornton.SPEED,
                                      psi * unit) / unit
@@ -237,7 +237,7 @@ class ClosedForms(unittest.TestCase):
                 found = thornton.slips(RUN, OURS, psi, eta, steps, "on")
                 self.assertAlmostEqual(sum(found) / len(found), exact, delta=1e-3, msg=f"{psi}, {steps} steps")
                 spreads.append(max(found) - min(found))
-            self.assertAlmostEqual(log2(spreads[0] / spreads[1]) / 2, order, delta=0.2, msg=f"{psi}")
+            self.assertGreater(log2(spreads[0] / spreads[1]) / 2, order, msg=f"{psi}")
 
     def test_friction_acts_half_way_into_the_overlap_at_a_wall(self):
         radius, density, stiffness, friction, speed, steps = 2.5e-3, 4000, 1.72e7, 0.092, 2.0, 100

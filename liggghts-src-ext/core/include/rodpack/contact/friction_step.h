@@ -85,7 +85,8 @@ inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], d
     result.force[d] = trial > 0.0 ? cap / trial * stuck[d] : 0.0;
     spring[d] = carrying_spring(result.force[d], step.stiffness);
   }
-  if (step.slid) return result;
+  // Without friction there are no branches.
+  if (step.slid || !(cap > 0.0)) return result;
   const double below = excess_before(step), beyond = trial - cap;
   result.changed = true;
   result.since = time_since_crossing(below, beyond, step.dt);
@@ -115,12 +116,12 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
                 0.5 * result.since * (step.velocity[0][d] + then);
   }
   stuck_force(step, spring, result.force);
-  const double strength = std::sqrt(dot(result.force, result.force));
-  if (strength > cap)
-    for (int d = 0; d < 3; ++d) {
-      spring[d] = carrying_spring(cap, step.stiffness) * direction[d];
-      result.force[d] = cap / strength * result.force[d];
-    }
+  // Where the cap has fallen further meanwhile, the spring alone carries it; its force is then that
+  // of spring and dashpot as ever, so that it is the same when it is evaluated again.
+  if (std::sqrt(dot(result.force, result.force)) > cap) {
+    for (int d = 0; d < 3; ++d) spring[d] = carrying_spring(cap, step.stiffness) * direction[d];
+    stuck_force(step, spring, result.force);
+  }
 
   // After a cap drop the spring is short by the same length ever after. At a standstill the force
   // goes on from the cap, but for the dashpot of a velocity across it, in space.
