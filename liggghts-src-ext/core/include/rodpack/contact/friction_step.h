@@ -116,11 +116,11 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
                 0.5 * result.since * (step.velocity[0][d] + then);
   }
   stuck_force(step, spring, result.force);
-  // Where the cap has fallen further meanwhile, the spring alone carries it; its force is then that
-  // of spring and dashpot as ever, so that it is the same when it is evaluated again.
+  // Where the cap has fallen further meanwhile, the spring alone carries it; the force is then that
+  // of the law with this spring, as ever, so that it is the same when it is evaluated again.
   if (std::sqrt(dot(result.force, result.force)) > cap) {
     for (int d = 0; d < 3; ++d) spring[d] = carrying_spring(cap, step.stiffness) * direction[d];
-    stuck_force(step, spring, result.force);
+    tangential_force(step.stiffness, step.damping, cap, spring, step.velocity[0], result.force);
   }
 
   // After a cap drop the spring is short by the same length ever after. At a standstill the force
