@@ -58,8 +58,8 @@ def spread(run):
         "the first touch, `multisphere/ab`; under the paper's cap, μ k_n δ, and that of Thornton, MFiX and LAMMPS, μ F_n "
         "with the dashpot (`totalForceCap on`). Where a contact comes to a stop while its cap falls (tan θ / μ from 4.16 "
         "to about 4.8, or from 4.22 to 5.15), the spread stays whatever the step: the law itself, not the integrator "
-        "(gran_model_spring_dashpot.md). Elsewhere it falls like the cube of the step, near the band like its square. Under μ F_n a slide all "
-        "through (the last row) loses 7/2 (1 + e) of the slip but for the lever, r − δ/2.",
+        "(gran_model_spring_dashpot.md). Elsewhere it falls like the cube of the step, near the band like its "
+        "square. Under μ F_n a slide all through (the last row) loses 7/2 (1 + e) of the slip but for the lever, r − δ/2.",
         ["cap", "tan θ / μ", "30 steps", "spread", "120 steps", "spread", "480 steps", "spread"], rows)
 
 
