@@ -161,7 +161,8 @@ void add_timestep(CLI::App& app) {
   command
       ->add_option("-o,--output", arguments->stem,
                    "writes the chart of error against steps as <output>.csv .png .svg")
-      ->check(stem_of_files());
+      ->check(stem_of_files())
+      ->type_name("STEM");
   command->callback([=] {
     if (arguments->run.empty() && !(*kn && *mass && *eta))
       throw CLI::ValidationError("timestep",

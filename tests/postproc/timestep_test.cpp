@@ -30,10 +30,11 @@ const Integrator& named(const std::string& name) {
   throw std::runtime_error(name);
 }
 
-double order(const std::string& name, double damping_ratio, double steps) {
+/// Between so many steps per collision and twice as many, both with the fraction of the charts.
+double order(const std::string& name, double damping_ratio, int steps) {
   const Integrator& integrator = named(name);
-  return std::log2(rebound_error(integrator, damping_ratio, steps) /
-                   rebound_error(integrator, damping_ratio, 2 * steps));
+  return std::log2(rebound_error(integrator, damping_ratio, steps + 0.37) /
+                   rebound_error(integrator, damping_ratio, 2 * steps + 0.37));
 }
 
 TEST(HeadOnCollision, IntegratorsAreThoseOfTheAccuracyCampaign) {
@@ -52,12 +53,12 @@ TEST(HeadOnCollision, WithoutEventsTheErrorIsThatOfAJumpAtAnUnknownMoment) {
 }
 
 TEST(HeadOnCollision, OrdersAreThoseOfTheTheory) {
-  EXPECT_NEAR(order("builtin", 0.2, 100.37), 1, 0.05);
-  EXPECT_NEAR(order("ab3", 0.2, 100.37), 1, 0.05);
-  EXPECT_NEAR(order("builtin", 0, 100.37), 2, 0.1);
+  EXPECT_NEAR(order("builtin", 0.2, 100), 1, 0.05);
+  EXPECT_NEAR(order("ab3", 0.2, 100), 1, 0.05);
+  EXPECT_NEAR(order("builtin", 0, 100), 2, 0.1);
   for (const double eta : {0.0, 0.1, 0.2, 0.4})
-    EXPECT_NEAR(order("ab3e", eta, 100.37), 3, 0.1) << eta;
-  EXPECT_GT(order("ab4e", 0.2, 50.37), 3);
+    EXPECT_NEAR(order("ab3e", eta, 100), 3, 0.1) << eta;
+  EXPECT_GT(order("ab4e", 0.2, 50), 3);
 }
 
 // A collision at 3 steps per contact is beyond the limit of order 4, 0.43 / omega: 7.3 steps.
@@ -117,7 +118,7 @@ TEST(Advice, StepsKeepTheErrorAndTheMargin) {
         if (each.held_by_stability)
           EXPECT_NEAR(each.timestep, stability_margin * each.limit, 1e-12);
         else
-          EXPECT_EQ(each.steps_per_collision, *each.fewest_steps);
+          EXPECT_NEAR(each.steps_per_collision, *each.fewest_steps, 1e-9);
       }
     }
 }
