@@ -30,10 +30,10 @@ double limit_of_contacts(int order, const Collision& collision, int contacts) {
 
 std::vector<ErrorAtStep> error_chart(const Integrator& integrator, double damping_ratio) {
   std::vector<ErrorAtStep> chart;
-  for (double steps = 4; steps < most_steps; steps *= 1.08) {
+  for (int k = 0; 4 * std::pow(1.08, k) < most_steps; ++k) {
     // The fraction is the same everywhere: near whole numbers what the two ends of an undamped
     // contact leave in the velocity cancels.
-    const double at = std::floor(steps) + 0.37;
+    const double at = std::floor(4 * std::pow(1.08, k)) + 0.37;
     if (chart.empty() || at > chart.back().steps_per_collision)
       chart.push_back({at, rebound_error(integrator, damping_ratio, at)});
   }
