@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <sstream>
 
+#include "campaigns/accuracy/accuracy.h"
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "figures/figure.h"
-#include "reading/data_error.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
 #include "timestep/advice.h"
@@ -49,25 +51,24 @@ void print_table(const std::vector<TimestepAdvice>& all, const TimestepAdvice* b
   }
 }
 
-void write_chart(const Collision& collision, const std::string& stem) {
+void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem) {
   std::ostringstream table;
   table << "method,steps_per_collision,error\n";
   std::string data, plot;
-  const char* const colours[] = {colour::grey, "#56B4E9", colour::blue, colour::vermilion};
-  for (std::size_t k = 0; k < integrators().size(); ++k) {
-    const Integrator& integrator = integrators()[k];
+  for (const TimestepAdvice& each : all) {
+    const std::string& name = each.integrator.name;
     std::vector<std::vector<double>> columns(2);
-    for (const ErrorAtStep& at : error_chart(integrator, collision.damping_ratio)) {
+    for (const ErrorAtStep& at : each.chart) {
       if (!(at.error < 1)) continue;  // beyond the limit of stability
-      table << integrator.name << ',' << number_text(at.steps_per_collision) << ','
-            << number_text(at.error, 4) << '\n';
+      table << name << ',' << number_text(at.steps_per_collision) << ',' << number_text(at.error, 4)
+            << '\n';
       columns[0].push_back(at.steps_per_collision);
       columns[1].push_back(at.error);
     }
-    data += datablock(integrator.name, columns);
-    plot += std::string(k > 0 ? ", " : "plot ") + "$" + integrator.name +
-            " with lines linewidth 2 linecolor rgb '" + colours[k] + "'" +
-            (k == 0 ? " dashtype 2" : "") + " title '" + integrator.name + "'";
+    data += datablock(name, columns);
+    plot += (plot.empty() ? "plot $" : ", $") + name + " with lines linewidth 2 linecolor rgb '" +
+            accuracy_colour(name) + "'" + (name == "builtin" ? " dashtype 2" : "") + " title '" +
+            name + "'";
   }
   write_text(stem + ".csv", table.str());
   draw_figure(stem, 1.4,
@@ -81,18 +82,20 @@ void write_chart(const Collision& collision, const std::string& stem) {
 void advise_on(const TimestepArguments& arguments) {
   Collision collision = arguments.collision;
   std::function<double(int)> limit_of;
-  RunNetwork network;
+  std::map<int, NetworkLimit> of_bed;  // by the order of the integrator
   if (!arguments.run.empty()) {
-    network = read_network(arguments.run);
+    const RunNetwork network = read_network(arguments.run);
     collision = {network.stiffness, network.damping_ratio, network.lightest};
-    const NetworkLimit stiffest = network_limit(0, network.bodies, network.contacts);
+    for (const Integrator& integrator : integrators())
+      if (of_bed.count(integrator.order) == 0)
+        of_bed[integrator.order] =
+            network_limit(integrator.order, network.bodies, network.contacts);
     std::cout << arguments.run << ": " << network.bodies.size() << " particles, "
-              << network.contacts.size() << " contacts, " << stiffest.contacts
+              << network.contacts.size() << " contacts, " << of_bed.begin()->second.contacts
               << " of the stiffest particle; time step " << short_number(network.timestep)
               << " s\n";
     limit_of = [&](int order) {
-      return std::min(limit_of_contacts(order, collision, 1),
-                      network_limit(order, network.bodies, network.contacts).timestep);
+      return std::min(limit_of_contacts(order, collision, 1), of_bed.at(order).timestep);
     };
   } else {
     limit_of = [&](int order) { return limit_of_contacts(order, collision, arguments.contacts); };
@@ -112,7 +115,7 @@ void advise_on(const TimestepArguments& arguments) {
     std::cout << "in a deck: timestep " << short_number(best->timestep)
               << "\n           fix ID all " << best->integrator.fix << '\n';
   if (!arguments.stem.empty()) {
-    write_chart(collision, arguments.stem);
+    write_chart(all, arguments.stem);
     std::cout << "written: " << arguments.stem << ".csv .png .svg\n";
   }
 }

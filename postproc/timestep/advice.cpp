@@ -11,6 +11,18 @@ namespace {
 
 const double pi = std::acos(-1.0);
 
+std::vector<ErrorAtStep> error_chart(const Integrator& integrator, double damping_ratio) {
+  std::vector<ErrorAtStep> chart;
+  for (int k = 0; 4 * std::pow(1.08, k) < most_steps; ++k) {
+    // The fraction is the same everywhere: near whole numbers what the two ends of an undamped
+    // contact leave in the velocity cancels.
+    const double at = std::floor(4 * std::pow(1.08, k)) + 0.37;
+    if (chart.empty() || at > chart.back().steps_per_collision)
+      chart.push_back({at, rebound_error(integrator, damping_ratio, at)});
+  }
+  return chart;
+}
+
 }  // namespace
 
 double Collision::duration() const { return pi * std::sqrt(mass / stiffness); }
@@ -28,18 +40,6 @@ double limit_of_contacts(int order, const Collision& collision, int contacts) {
          (pi * grown);
 }
 
-std::vector<ErrorAtStep> error_chart(const Integrator& integrator, double damping_ratio) {
-  std::vector<ErrorAtStep> chart;
-  for (int k = 0; 4 * std::pow(1.08, k) < most_steps; ++k) {
-    // The fraction is the same everywhere: near whole numbers what the two ends of an undamped
-    // contact leave in the velocity cancels.
-    const double at = std::floor(4 * std::pow(1.08, k)) + 0.37;
-    if (chart.empty() || at > chart.back().steps_per_collision)
-      chart.push_back({at, rebound_error(integrator, damping_ratio, at)});
-  }
-  return chart;
-}
-
 std::vector<TimestepAdvice> advise(const Collision& collision, double error,
                                    const std::function<double(int)>& limit_of) {
   std::vector<TimestepAdvice> all;
@@ -47,9 +47,9 @@ std::vector<TimestepAdvice> advise(const Collision& collision, double error,
     TimestepAdvice advice;
     advice.integrator = integrator;
     advice.limit = limit_of(integrator.order);
-    const auto chart = error_chart(integrator, collision.damping_ratio);
+    advice.chart = error_chart(integrator, collision.damping_ratio);
     // From the finest step down, so that no chance crossing at coarse steps counts.
-    for (auto at = chart.rbegin(); at != chart.rend() && at->error <= error; ++at)
+    for (auto at = advice.chart.rbegin(); at != advice.chart.rend() && at->error <= error; ++at)
       advice.fewest_steps = at->steps_per_collision;
     if (advice.fewest_steps && advice.limit > 0) {
       const double for_error = collision.duration() / *advice.fewest_steps;

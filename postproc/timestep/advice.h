@@ -29,9 +29,15 @@ struct Collision {
 /// damping ratio, too.
 double limit_of_contacts(int order, const Collision& collision, int contacts);
 
+/// One point of the chart of error against cost.
+struct ErrorAtStep {
+  double steps_per_collision, error;
+};
+
 /// What one integrator needs.
 struct TimestepAdvice {
   Integrator integrator;
+  std::vector<ErrorAtStep> chart;      // from 4 to `most_steps` steps per collision
   double limit = 0;                    // of stability, s; 0: unstable at any step
   std::optional<double> fewest_steps;  // per collision, to the error; none within `most_steps`
   double timestep = 0;                 // s: the error's or `margin` of the limit, the smaller
@@ -45,13 +51,6 @@ struct TimestepAdvice {
 constexpr double stability_margin = 0.8;
 /// How far steps per collision are tried.
 constexpr double most_steps = 3000;
-
-/// One point of the chart of error against cost.
-struct ErrorAtStep {
-  double steps_per_collision, error;
-};
-/// The chart of an integrator, from 4 to `most_steps` steps per collision.
-std::vector<ErrorAtStep> error_chart(const Integrator& integrator, double damping_ratio);
 
 /// What each of integrators() needs for the error (of the rebound speed, > 0) and a stability limit
 /// (s) that `limit_of`(order) returns. Those that cannot reach the error keep no `timestep`.

@@ -8,6 +8,7 @@
 
 #include "rodpack/contact/contact_law.h"
 #include "rodpack/contact/contact_motion.h"
+#include "rodpack/contact/friction_cap.h"
 #include "rodpack/contact/normal_history.h"
 #include "rodpack/motion/multistep.h"
 
@@ -32,27 +33,6 @@ struct WallContact {
     delta[0] = r;
     v_i[0] = velocity;
     complete_contact(*this);
-  }
-};
-
-/// What the events of the contact change along the normal in a step, and what the contact is told
-/// of those of the step before.
-struct NormalEvents {
-  ChangeOf<1> sum = {};
-  bool any = false, jumps = false;  // jumps: the other dashpots of a body have to know
-  bool moved = false;
-  ContactJump jump = {};
-
-  template <class Contact>
-  void add(const Contact& contact, const ForceChange& on_i, bool jumps_now) {
-    sum += component(on_i, contact.en);
-    any = true;
-    jumps = jumps || jumps_now;
-  }
-  template <class Contact>
-  bool motion_changed(const Contact&, ContactJump& result) const {
-    result = jump;
-    return moved;
   }
 };
 
@@ -85,10 +65,10 @@ double rebound_with_adams_bashforth(int order, bool follows, Flight flight, doub
   std::array<Flight, max_multistep_order> rates;  // velocity in `gap`, force in `velocity`
   rates.fill({flight.velocity, 0});
   NormalHistory history;
-  NormalEvents last;
+  NormalChanges last;
   bool touching = false;
   for (long i = 0; i < steps; ++i) {
-    NormalEvents events;
+    NormalChanges events;
     if (last.any) {
       flight.gap += last.sum.impulse_integral[0];
       flight.velocity += last.sum.impulse[0];

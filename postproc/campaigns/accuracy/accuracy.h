@@ -24,6 +24,8 @@ struct AccuracyMethod {
 AccuracyMethod accuracy_method(const std::string& name);
 /// Lists the names of all methods.
 const std::vector<std::string>& accuracy_method_names();
+/// The colour of a method in figures, the same in all of them.
+const std::string& accuracy_colour(const std::string& method);
 
 constexpr double paper_step = 1.1e-5;  // s, Lu et al. (2016)
 

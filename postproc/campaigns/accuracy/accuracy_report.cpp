@@ -69,10 +69,6 @@ std::string factor(const std::optional<double>& stock, double finest_of_stock,
 
 void draw(const RowList& rows, const std::string& scene, const std::vector<std::string>& methods,
           bool against_seconds, double paper_evaluations, const std::string& stem) {
-  const std::map<std::string, std::string> colours = {
-      {"builtin", colour::grey},   {"ab1", "#E69F00"}, {"ab2", "#56B4E9"},
-      {"ab3", colour::blue},       {"ab4", "#009E73"}, {"ab2e", "#F0E442"},
-      {"ab3e", colour::vermilion}, {"ab4e", "#CC79A7"}};
   std::string blocks, curves;
   double largest = 1e-15, least_cost = INFINITY, most_cost = 0;
   // The signs are open, so that curves that lie on each other show.
@@ -93,7 +89,7 @@ void draw(const RowList& rows, const std::string& scene, const std::vector<std::
     blocks += datablock(method, {cost, error});
     curves += (curves.empty() ? "plot " : ", ") + ("$" + method) +
               " using 1:2 with linespoints linewidth 1.5 pointsize 1.6 pointtype " +
-              std::to_string(points[point - 1]) + " linecolor '" + colours.at(method) + "'" +
+              std::to_string(points[point - 1]) + " linecolor '" + accuracy_colour(method) + "'" +
               (method == "builtin" ? " dashtype 2" : "") + " title '" + method + "'";
   }
   if (curves.empty()) return;
@@ -149,6 +145,14 @@ std::string cheapest_table(const RowList& rows, const AccuracySettings& settings
 }
 
 }  // namespace
+
+const std::string& accuracy_colour(const std::string& method) {
+  static const std::map<std::string, std::string> colours = {
+      {"builtin", colour::grey},   {"ab1", "#E69F00"}, {"ab2", "#56B4E9"},
+      {"ab3", colour::blue},       {"ab4", "#009E73"}, {"ab2e", "#F0E442"},
+      {"ab3e", colour::vermilion}, {"ab4e", "#CC79A7"}};
+  return colours.at(method);
+}
 
 std::optional<double> observed_order(const std::vector<double>& steps,
                                      const std::vector<double>& errors, double asymptotic_from,

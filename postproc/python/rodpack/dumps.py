@@ -7,11 +7,11 @@ dump_contact_gran.md; all values are in SI units, angles in rad.
 
 import os
 import re
-from collections.abc import Mapping
 
 import numpy as np
 
 from .errors import FormatError, listed, no_such_column, shortened
+from .named_arrays import NamedArrays
 from .text import Lines, number, whole_number
 
 # Whole numbers up to here are read by way of a double to the last digit; no larger one becomes one of them.
@@ -25,7 +25,7 @@ WHOLE.update(nspheres=(1, 10**6), wall=(0, 1))
 _FLAG = re.compile(r"[fpsm]{2}")
 
 
-class Frame(Mapping):
+class Frame(NamedArrays):
     """One frame of a dump: a mapping from the names of the columns to arrays, one value per row.
 
     frame["x"]: float64, or int64 for ids, `type`, `nspheres` and `wall`; FormatError for a column that is
@@ -51,15 +51,6 @@ class Frame(Mapping):
         if name not in self._columns:
             raise no_such_column(self.file, self.line, name, self.names)
         return self._columns[name]
-
-    def __contains__(self, name):
-        return name in self._columns
-
-    def __iter__(self):
-        return iter(self.names)
-
-    def __len__(self):
-        return len(self.names)
 
     def __repr__(self):
         return f"<{self.kind or 'dump'} of step {self.step}: {self.rows} rows of {' '.join(self.names)}>"

@@ -11,12 +11,12 @@ import binascii
 import math
 import re
 import zlib
-from collections.abc import Mapping
 from xml.etree import ElementTree
 
 import numpy as np
 
 from .errors import FormatError, no_such_column, shortened
+from .named_arrays import NamedArrays
 from .text import number, open_regular, whole_number
 
 _TYPES = {"Float64": "f8", "Float32": "f4", "Int64": "i8", "Int32": "i4", "Int16": "i2", "Int8": "i1",
@@ -27,7 +27,7 @@ _HEADERS = {"UInt32": "u4", "UInt64": "u8"}
 _APPENDED = re.compile(rb"<AppendedData([^>]*)>\s*_")
 
 
-class Fields(Mapping):
+class Fields(NamedArrays):
     """Fields on a grid: a mapping from their names, with the unit as in the file, to arrays.
 
     Arrays have the shape (y, x), or (y, x, component); on a grid of several places along z (z, y, x) and
@@ -50,12 +50,6 @@ class Fields(Mapping):
         if name not in self._arrays:
             raise no_such_column(self.file, None, name, self.names)
         return self._arrays[name]
-
-    def __iter__(self):
-        return iter(self.names)
-
-    def __len__(self):
-        return len(self.names)
 
     def __repr__(self):
         return f"<fields at {' x '.join(map(str, self.count))} places: {' '.join(self.names)}>"

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tables: CSV of rodpack and the deposition, and what LIGGGHTS's fix print and fix ave/time write."""
 
-from collections.abc import Mapping
 
 import numpy as np
 
 from .errors import FormatError, listed, no_such_column, shortened
+from .named_arrays import NamedArrays
 from .text import Lines, number
 
 
-class Table(Mapping):
+class Table(NamedArrays):
     """A mapping from the names of the columns, units in them as in the file, to arrays of one value per row.
 
     table["x_m"]: float64, every field a finite number, else FormatError with the line; words() has columns
@@ -23,15 +23,6 @@ class Table(Mapping):
 
     def __getitem__(self, name):
         return self.numbers(name)
-
-    def __contains__(self, name):
-        return name in self.names
-
-    def __iter__(self):
-        return iter(self.names)
-
-    def __len__(self):
-        return len(self.names)
 
     def __repr__(self):
         return f"<table of {self.rows} rows of {' '.join(self.names)}>"

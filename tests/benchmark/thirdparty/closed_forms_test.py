@@ -228,7 +228,7 @@ class ClosedForms(unittest.TestCase):
         # a few moments of touch where several changes meet in a step. Compared over mu v_n.
         eta = laws.damping_ratio_without_tension(0.5)
         unit = thornton.FRICTION * thornton.SPEED
-        for psi, order in (1, 2.8), (3, 2.5), (6, 2.8):
+        for psi, delta in (1, 0.2), (3, 0.4), (6, 0.2):
             exact = laws.damped_slip(thornton.RADIUS, thornton.MASS, thornton.STIFFNESS,
                                      thornton.RATIO * thornton.STIFFNESS, eta, thornton.FRICTION, thornton.SPEED,
                                      psi * unit) / unit
@@ -237,7 +237,7 @@ class ClosedForms(unittest.TestCase):
                 found = thornton.slips(RUN, OURS, psi, eta, steps, "on")
                 self.assertAlmostEqual(sum(found) / len(found), exact, delta=1e-3, msg=f"{psi}, {steps} steps")
                 spreads.append(max(found) - min(found))
-            self.assertGreater(log2(spreads[0] / spreads[1]) / 2, order, msg=f"{psi}")
+            self.assertAlmostEqual(log2(spreads[0] / spreads[1]) / 2, 3, delta=delta, msg=f"{psi}")
 
     def test_friction_acts_half_way_into_the_overlap_at_a_wall(self):
         radius, density, stiffness, friction, speed, steps = 2.5e-3, 4000, 1.72e7, 0.092, 2.0, 100

@@ -53,9 +53,8 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   for (int k = 0; k < slots_; ++k) velocity[k] = values[pool.velocity(k)];
   lasting.slid = (head.sliding & bit) != 0;
   lasting.spring_before = values[planar_spring];
-  follow_jump(tangential, dt, lasting.spring_before, slots_,
+  follow_jump(tangential, dt, lasting.slid, lasting.spring_before, slots_,
               [&](int k) -> double& { return velocity[k]; });
-  if (lasting.slid) lasting.spring_before = values[planar_spring];
   lasting.spring = lasting.spring_before;
   for (int k = 0; k < settings_.order; ++k) lasting.spring += dt * weights[k] * velocity[k];
   lasting.normal_stiffness = contact.kn;

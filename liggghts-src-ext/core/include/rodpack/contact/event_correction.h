@@ -199,13 +199,14 @@ inline ContactJumpComponent component(const ContactJump& jump, const double (&ax
 }
 
 /// Gives the tangential spring of a contact (m) and its velocities of the last steps (m/s), along
-/// one axis, what they could not know of a jump: the spring grows by the displacement, and the
-/// velocity k steps before the end of the last one by that of a motion with the changed
+/// one axis, what they could not know of a jump: the spring grows by the displacement, but for that
+/// of a contact that `slid`, which carries the cap whatever way the surfaces go; and the velocity k
+/// steps before the end of the last one by that of a motion with the changed
 /// acceleration. `velocity`(k) refers to one of `count` velocities, newest first, `dt` (s) apart.
 template <class Velocity>
-inline void follow_jump(const ContactJumpComponent& jump, double dt, double& spring, int count,
-                        Velocity velocity) {
-  spring += jump.displacement;
+inline void follow_jump(const ContactJumpComponent& jump, double dt, bool slid, double& spring,
+                        int count, Velocity velocity) {
+  if (!slid) spring += jump.displacement;
   for (int k = 0; k < count; ++k) velocity(k) += jump.velocity - k * dt * jump.acceleration;
 }
 

@@ -159,15 +159,11 @@ inline PlanarForceChange in_plane(const ForceChange& force) { return components_
 /// Of a torque, that about z.
 inline PlanarTorqueChange about_z(const ForceChange& torque) { return components_of<1>(torque, 2); }
 
-/// Time since a quantity that is `before` one step ago and `now` now, of the other sign, was 0.
+/// Time since a quantity that is `before` one step ago and `now` now was 0: of the line through
+/// both. They mostly differ in sign; where a jump of the bodies in the step before has changed
+/// `before`, it may have the sign of `now` already, and the zero lies further back, at most two
+/// steps. One step where the line tells nothing.
 inline double time_since_zero(double before, double now, double dt) {
-  return dt * std::min(1.0, std::max(0.0, now / (now - before)));
-}
-
-/// The same where `before`, as a jump of the bodies in the step before has changed it, may have the
-/// sign of `now` already: the zero of the line through both, at most two steps back; one step where
-/// that line tells nothing.
-inline double time_since_crossing(double before, double now, double dt) {
   const double steps = now / (now - before);
   return dt * (steps >= 0.0 ? std::min(2.0, steps) : 1.0);
 }

@@ -47,7 +47,7 @@ namespace detail {
 /// quadratic through them, or, where a jump of the bodies has stopped it in the step before, so
 /// that slip[1] is not below 0, of the line through the last two.
 inline double time_since_standstill(const double (&slip)[3], int known, double dt) {
-  if (!(slip[1] < 0.0)) return time_since_crossing(slip[1], slip[0], dt);
+  if (!(slip[1] < 0.0)) return time_since_zero(slip[1], slip[0], dt);
   double x = slip[0] / (slip[0] - slip[1]);
   if (known > 2) {
     const double c = 0.5 * (slip[2] - 2.0 * slip[1] + slip[0]), b = slip[1] - slip[0] - c;
@@ -89,7 +89,7 @@ inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], d
   if (step.slid || !(cap > 0.0)) return result;
   const double below = excess_before(step), beyond = trial - cap;
   result.changed = true;
-  result.since = time_since_crossing(below, beyond, step.dt);
+  result.since = time_since_zero(below, beyond, step.dt);
   for (int d = 0; d < 3; ++d) {
     result.gain[d] = -beyond / trial * stuck[d];
     result.gain_rate[d] = -(beyond - below) / step.dt / trial * stuck[d];
@@ -107,7 +107,7 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
   result.changed = true;
   const bool stands = step.slid;
   result.since = stands ? time_since_standstill(slip, step.known, step.dt)
-                        : time_since_crossing(excess_before(step), trial - cap, step.dt);
+                        : time_since_zero(excess_before(step), trial - cap, step.dt);
   const double at_change = cap_at(step, result.since);
   const double share = result.since / step.dt;
   for (int d = 0; d < 3; ++d) {

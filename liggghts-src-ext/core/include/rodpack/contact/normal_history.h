@@ -37,7 +37,7 @@ template <class Contact, class Events>
 void cross_zero(const Contact& contact, double before, double viscoelastic, double dt,
                 Events& events) {
   const double sign = viscoelastic > 0.0 ? 1.0 : -1.0;
-  const double since = time_since_crossing(before, viscoelastic, dt);
+  const double since = time_since_zero(before, viscoelastic, dt);
   change_along_normal(contact, sign * viscoelastic, sign * (viscoelastic - before) / dt, since,
                       false, events);
 }

@@ -91,19 +91,16 @@ double start_spring(const Contact& contact, double dt, double* spring) {
 }
 
 /// Puts into the spring and the velocities of the past what an event in the last step, which they
-/// could not know of, did to the bodies. The spring of a contact that `slid` carries the cap,
-/// whatever way its surfaces go.
+/// could not know of, did to the bodies; `slid`: the contact, at the last evaluation.
 inline void follow_bodies(const double* en, double dt, bool slid, ContactJump& jump,
                           TangentialHistory& history) {
   in_plane(en, jump.acceleration);
   in_plane(en, jump.velocity);
   in_plane(en, jump.displacement);
   for (int d = 0; d < 3; ++d) {
-    const double carrying = history.spring[d];
-    follow_jump({jump.acceleration[d], jump.velocity[d], jump.displacement[d]}, dt,
+    follow_jump({jump.acceleration[d], jump.velocity[d], jump.displacement[d]}, dt, slid,
                 history.spring[d], std::min(history.known, history.slots),
                 [&](int k) -> double& { return history.velocity[k][d]; });
-    if (slid) history.spring[d] = carrying;
   }
 }
 
