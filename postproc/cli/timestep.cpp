@@ -52,9 +52,10 @@ void print_table(const std::vector<TimestepAdvice>& all, const TimestepAdvice* b
 }
 
 void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem) {
-  std::ostringstream table;
+  std::ostringstream table, plot;
   table << "method,steps_per_collision,error\n";
-  std::string data, plot;
+  std::string data;
+  int plots = 0;
   for (const TimestepAdvice& each : all) {
     const std::string& name = each.integrator.name;
     std::vector<std::vector<double>> columns(2);
@@ -66,9 +67,9 @@ void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem
       columns[1].push_back(at.error);
     }
     data += datablock(name, columns);
-    plot += (plot.empty() ? "plot $" : ", $") + name + " with lines linewidth 2 linecolor rgb '" +
-            accuracy_colour(name) + "'" + (name == "builtin" ? " dashtype 2" : "") + " title '" +
-            name + "'";
+    plot << (plots++ == 0 ? "plot $" : ", $") << name << " with lines linewidth 2 linecolor rgb '"
+         << accuracy_colour(name) << "'" << (name == "builtin" ? " dashtype 2" : "") << " title '"
+         << name << "'";
   }
   write_text(stem + ".csv", table.str());
   draw_figure(stem, 1.4,
@@ -76,7 +77,7 @@ void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem
                   "set logscale xy\nset format y '10^{%T}'\nset grid\n"
                   "set xlabel 'steps per collision'\n"
                   "set ylabel 'error of the rebound speed'\n" +
-                  plot + "\n");
+                  plot.str() + "\n");
 }
 
 void advise_on(const TimestepArguments& arguments) {
