@@ -178,6 +178,35 @@ TEST(MoveMultisphere, AHeldBodyIsInfinitelyHeavyInACollision) {
   }
 }
 
+// The deck moved_bodies. Relative to a prescribed body the ball rebounds with e(eta), so that it
+// ends with V + e (V + e v0); the centre of the rod turns about p(t) = p(0) + A sin(2 pi t / T).
+TEST(MoveMultisphere, ABallBetweenAHeldAndAFollowingOneMeetsTheClosedForm) {
+  const double e = rodpack::restitution_coefficient(0.2), v0 = 0.5, follower = 0.2;
+  const double expected = follower + e * (follower + e * v0);
+  const double turn = 40, swing = 1e-3, period = 7e-3, pivot[2] = {0.03, 0.07};
+  const auto error = [&](int order, int refinement) {
+    const double dt = timestep / refinement;
+    const int moves = 945 * refinement;
+    const std::string steps = std::to_string(moves + 1);
+    const auto run = run_liggghts(
+        "verification/moved_bodies/in.moved_bodies",
+        {{"order", std::to_string(order)}, {"dt", exact(dt)}, {"steps", steps}, {"every", steps}});
+    if (run.exit_code != 0) throw std::runtime_error(run.output);
+    const Table end = bodies_of(run);
+    const double t = moves * dt, c = std::cos(turn * t), s = std::sin(turn * t);
+    const double shift = swing * std::sin(2 * M_PI * t / period);
+    EXPECT_NEAR(end.column("x")[3], pivot[0] + shift + c * 0.01 - s * 0.005, 1e-14);
+    EXPECT_NEAR(end.column("y")[3], pivot[1] + shift + s * 0.01 + c * 0.005, 1e-14);
+    EXPECT_EQ(end.column("x")[0], 0.05);
+    EXPECT_NEAR(end.column("x")[1], 0.0413 + follower * t, 1e-15);
+    return end.column("vx")[2] / expected - 1;
+  };
+  EXPECT_LT(std::fabs(error(3, 1)), 1e-3);
+  for (const int order : {2, 3})
+    EXPECT_NEAR(observed_order(error(order, 2), error(order, 8), 4), order, 0.2) << order;
+  EXPECT_LT(std::fabs(error(4, 8)), std::fabs(error(4, 1)) / (8 * 8 * 8));
+}
+
 // In every step, also of events, what the held body bears is what it does to the other one.
 TEST(MoveMultisphere, TheForceIsOppositeToThatOnTheOther) {
   for (const char* motion : {"", "velocity 0.1 -0.05 0 omega 0 0 200"}) {
