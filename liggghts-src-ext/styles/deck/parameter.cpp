@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <set>
@@ -98,7 +97,8 @@ void Parameter::declare(int narg, char** arg) {
     if (arguments.more() && arguments.new_keyword() != "path")
       arguments.reject_keyword(arg[3], "path");
     arguments.require_end();
-    if (arguments.given("path")) check_path(it, arguments);
+    if (arguments.given("path") && !is_plain_path(it.value))
+      arguments.fail(std::string("expected ") + a_plain_path + ", got '" + it.value + "'");
   } else {
     declare_number(it, arguments);
   }
@@ -114,18 +114,6 @@ void Parameter::declare(int narg, char** arg) {
 void Parameter::clear() {
   declared_.clear();
   run_parameters().clear();
-}
-
-/// A path stands in commands without quotes, which would keep variables from their values.
-void Parameter::check_path(const Declaration& it, const StyleArguments& arguments) {
-  const bool plain = std::all_of(it.value.begin(), it.value.end(), [](unsigned char c) {
-    return c > ' ' && c != 127 && !std::strchr("\"'`$#&*%;|<>()\\", c);
-  });
-  if (it.value.empty() || it.value[0] == '-' || !plain)
-    arguments.fail(
-        "expected a path without blanks, quotes and any of ` $ # & * % ; | < > ( ) \\, "
-        "that does not begin with -, got '" +
-        it.value + "'");
 }
 
 void Parameter::declare_choice(const Declaration& it, StyleArguments& arguments) {

@@ -31,7 +31,6 @@ class Parameter : protected Pointers {
   void declare(int narg, char** arg);
   void declare_choice(const Declaration& it, class StyleArguments& arguments);
   static void clear();
-  static void check_path(const Declaration& it, const class StyleArguments& arguments);
   void declare_number(Declaration& it, class StyleArguments& arguments);
   void check_command_line() const;
   void write(const std::string& file) const;

@@ -4,48 +4,71 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 
 #include "comm.h"
 #include "input.h"
 #include "memory.h"
 #include "run_files.h"
 #include "stop_run.h"
+#include "style_arguments.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 
+namespace {
+
+std::string path(StyleArguments& arguments, const std::string& name) {
+  const std::string text = arguments.word(name, a_plain_path);
+  if (!is_plain_path(text)) arguments.reject(name, a_plain_path, text);
+  return text;
+}
+
+}  // namespace
+
 void RunFolder::command(int narg, char** arg) {
-  const std::vector<std::string> words(arg, arg + narg);
-  const std::string verb = narg > 0 ? words[0] : "";
-  // Ranks other than 0 have variables to work out, too, which computes may need.
-  std::string text, fault;
-  if (verb == "write" && narg == 3) text = substituted(words[2]);
-  if (verb == "open" && narg >= 2) {
-    if (comm->me == 0) fault = open(words);
-  } else if (verb == "resume" && narg == 3) {
-    if (comm->me == 0) fault = resume(words[1], words[2]);
-  } else if (verb == "write" && narg == 3) {
-    if (comm->me == 0) fault = write(words[1], text);
+  StyleArguments verbs(lmp, "run_folder", narg, arg, 0);
+  const std::string verb = verbs.peek();
+  verbs.choice("the first word", {"open", "resume", "write"});
+  StyleArguments arguments(lmp, "run_folder " + verb, narg, arg, 1);
+  const std::string name = path(arguments, verb == "write" ? "FILE" : "FOLDER");
+  std::string fault;
+  if (verb == "open") {
+    std::vector<std::string> parts;
+    while (arguments.more()) parts.push_back(path(arguments, "SUBFOLDER"));
+    if (comm->me == 0) fault = open(name, parts);
+  } else if (verb == "resume") {
+    const std::string restart = path(arguments, "RESTART_FILE");
+    arguments.require_end();
+    const bool missing = comm->me == 0 && !std::ifstream(restart);
+    stop_run_by_rank_0(lmp, missing ? "run_folder resume: RESTART_FILE is '" + restart +
+                                          "', expected a file that can be read"
+                                    : "");
+    if (comm->me == 0) fault = resume(name, restart);
   } else {
-    stop_run(lmp,
-             "run_folder: expected 'run_folder open FOLDER [SUBFOLDER ...]', 'run_folder resume "
-             "FOLDER RESTART_FILE' or 'run_folder write FILE TEXT'");
+    const std::string text = arguments.word("TEXT", "a line");
+    arguments.require_end();
+    // Ranks other than 0 have variables to work out, too, which computes may need.
+    const std::string line = substituted(text) + "\n";
+    if (comm->me == 0) fault = write_whole(name, line);
   }
-  if (!fault.empty()) fault = "run_folder " + verb + " " + words[1] + ": " + fault;
+  if (!fault.empty()) fault = "run_folder " + verb + " " + name + ": " + fault;
   stop_run_by_rank_0(lmp, fault);
 }
 
-std::string RunFolder::open(const std::vector<std::string>& words) const {
-  std::string fault = make_folder(words[1]);
+std::string RunFolder::open(const std::string& folder,
+                            const std::vector<std::string>& parts) const {
+  std::string fault = make_folder(folder);
   // As long as the ranks of a run that was killed may take to go.
-  if (fault.empty()) fault = lock_folder(words[1], 5.0);
-  for (std::size_t k = 2; k < words.size() && fault.empty(); ++k)
-    fault = make_folder(words[1] + "/" + words[k]);
+  if (fault.empty()) fault = lock_folder(folder, 5.0);
+  for (const std::string& part : parts)
+    if (fault.empty()) fault = make_folder(folder + "/" + part);
   return fault;
 }
 
 std::string RunFolder::resume(const std::string& folder, const std::string& restart) const {
   const long long step = update->ntimestep;
+  if (!std::ifstream(folder + "/.lock")) return "no folder that 'run_folder open' has opened";
   std::string fault = remove_unfinished(folder);
   for (const char* part : {"/dumps", "/restart"})
     if (fault.empty()) fault = remove_unfinished(folder + part);
@@ -57,10 +80,6 @@ std::string RunFolder::resume(const std::string& folder, const std::string& rest
   const std::string result = folder + "/result.json";
   std::rename(result.c_str(), (result + ".superseded").c_str());
   return "";
-}
-
-std::string RunFolder::write(const std::string& file, const std::string& text) const {
-  return write_whole(file, text + "\n");
 }
 
 /// The text with the values of its variables, which quotes have kept from the input so far.

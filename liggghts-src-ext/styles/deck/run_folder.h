@@ -24,9 +24,8 @@ class RunFolder : protected Pointers {
 
  private:
   // What rank 0 does; each returns what went wrong.
-  std::string open(const std::vector<std::string>& words) const;
+  std::string open(const std::string& folder, const std::vector<std::string>& parts) const;
   std::string resume(const std::string& folder, const std::string& restart) const;
-  std::string write(const std::string& file, const std::string& text) const;
   std::string substituted(const std::string& text) const;
 };
 

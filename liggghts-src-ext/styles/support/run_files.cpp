@@ -70,6 +70,17 @@ long long step_of(const std::string& name, const char* expression) {
 
 }  // namespace
 
+const char* const a_plain_path =
+    "a path without blanks, quotes and any of ` $ # & * % ; | < > ( ) \\, that does not begin with "
+    "-";
+
+bool is_plain_path(const std::string& text) {
+  return !text.empty() && text[0] != '-' &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) {
+           return c > ' ' && c != 127 && !std::strchr("\"'`$#&*%;|<>()\\", c);
+         });
+}
+
 std::string make_folder(const std::string& folder) {
   for (std::size_t end = folder.find('/', 1);; end = folder.find('/', end + 1)) {
     const std::string part = folder.substr(0, end);

@@ -6,6 +6,11 @@
 
 namespace LAMMPS_NS {
 
+/// What is expected of a path in a deck, where it stands without quotes, which would keep variables
+/// from their values: nothing that a deck, a shell or the name of a dump reads as something else.
+extern const char* const a_plain_path;
+bool is_plain_path(const std::string& text);
+
 // Files of a run folder. Each function returns what went wrong, as the end of a message; empty if
 // nothing did.
 

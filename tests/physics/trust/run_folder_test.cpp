@@ -68,6 +68,26 @@ TEST(RunFolder, WordsOfTheCommandLineThatMeanNothingAreRefused) {
   }
 }
 
+// What a table of arguments does not tell (keyword_sweep_test.cpp): the verb, and folders that are
+// not there.
+TEST(RunFolder, WhatItCannotDoIsOneLine) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"run_folder",
+       "run_folder: value of the first word is missing, expected open, resume or write"},
+      {"run_folder close run",
+       "run_folder: the first word is 'close', expected open, resume or write"},
+      {"run_folder resume nosuch in.deck",
+       "run_folder resume nosuch: no folder that 'run_folder open' has opened"},
+      {"run_folder open in.deck/sub", "run_folder open in.deck/sub: in.deck is no folder"},
+      {"run_folder write nosuch/file text",
+       "run_folder write nosuch/file: cannot write nosuch/file.part: No such file or directory"}};
+  for (const auto& [command, message] : cases) {
+    const auto run = run_liggghts(std::string(command) + "\n");
+    EXPECT_EQ(run.exit_code, 1) << command;
+    EXPECT_THAT(run.output, HasSubstr(std::string("ERROR: ") + message)) << command;
+  }
+}
+
 TEST(RunFolder, BelongsToOneRunAtATime) {
   const auto run = run_command(
       "mkdir run; flock run/.lock sleep 60 & sleep 0.3; echo 'process 7 on there' > run/.lock;"
