@@ -67,6 +67,15 @@ ${end}
 
 const std::string deck = deck_from("");
 
+/// The same with friction up to mu times the whole normal force, or, with "off", up to what it is
+/// without a word.
+std::string with_cap(std::string text, const std::string& on_or_off = "on") {
+  const std::string order = "multistepOrder 4", cap = " totalForceCap " + on_or_off;
+  for (auto at = text.find(order); at != std::string::npos; at = text.find(order, at + 1))
+    text.insert(at + order.size(), cap);
+  return text;
+}
+
 /// Largest difference of a column, over the largest value of `scale` (its own if empty).
 double difference(const Table& a, const Table& b, const std::string& name, double scale = 0) {
   if (a.rows() != b.rows()) throw std::runtime_error("tables of different length");
@@ -95,9 +104,9 @@ Table by_atoms(const Table& contacts) {
   return Table("sorted", names, rows);
 }
 
-Run finished(Vars vars, const std::string& style) {
+Run finished(Vars vars, const std::string& style, const std::string& text = deck) {
   vars["style"] = style;
-  auto run = run_liggghts(deck, vars);
+  auto run = run_liggghts(text, vars);
   if (run.exit_code != 0) throw std::runtime_error(run.output);
   return run;
 }
@@ -111,19 +120,28 @@ Table last(const Run& run, const std::string& kind, const Vars& vars) {
 // Three rods, 1e5 steps: fall, collisions, rest. What differs at first are rounding errors; what
 // remains is below 1e-9 as long as the motion is not chaotic.
 TEST(PlanarEngine, TrajectoriesAreThoseOfTheSphereLevelStyles) {
-  const Vars cases[] = {{{"events", "yes"}, {"steps", "100000"}},
-                        {{"events", "no"}},
-                        {{"order", "2"}},
-                        {{"order", "4"}},
-                        {{"order", "1"}},
-                        {{"curvature", "120"}},
-                        {{"ar", "1"}},
-                        {{"ar", "2"}}};
-  for (Vars vars : cases) {
-    const std::string name = vars.begin()->first + " " + vars.begin()->second;
+  const std::string total = with_cap(deck);
+  const std::pair<std::string, Vars> cases[] = {{deck, {{"events", "yes"}, {"steps", "100000"}}},
+                                                {deck, {{"events", "no"}}},
+                                                {deck, {{"order", "2"}}},
+                                                {deck, {{"order", "4"}}},
+                                                {deck, {{"order", "1"}}},
+                                                {deck, {{"curvature", "120"}}},
+                                                {deck, {{"ar", "1"}}},
+                                                {deck, {{"ar", "2"}}},
+                                                {total, {{"events", "yes"}, {"steps", "100000"}}},
+                                                {total, {{"events", "no"}}},
+                                                {total, {{"order", "2"}}},
+                                                {total, {{"order", "4"}}},
+                                                {total, {{"ar", "1"}}}};
+  for (const auto& [text, changes] : cases) {
+    Vars vars = changes;
+    const std::string name =
+        vars.begin()->first + " " + vars.begin()->second + (text == total ? " total cap" : "");
     vars.insert({"steps", "10000"});
     vars["every"] = "1000";
-    const auto spheres = finished(vars, "verlet"), planar = finished(vars, "verlet/planar");
+    const auto spheres = finished(vars, "verlet", text),
+               planar = finished(vars, "verlet/planar", text);
     const Table a = last(spheres, "bodies", vars), b = last(planar, "bodies", vars);
     for (const char* column : {"x", "y"}) EXPECT_LT(difference(a, b, column), 1e-9) << name;
     for (const char* column : {"vx", "vy"})
@@ -143,17 +161,18 @@ TEST(PlanarEngine, TrajectoriesAreThoseOfTheSphereLevelStyles) {
 // Some 60 rods at rest, from the same restart file. The forces of the contacts follow from springs
 // that have been carried there and back.
 TEST(PlanarEngine, ForcesOfABedAtRestAreThoseOfTheSphereLevelStyles) {
-  for (const char* events : {"yes", "no"}) {
+  for (const auto& [events, cap] :
+       {std::make_pair("yes", "off"), std::make_pair("no", "off"), std::make_pair("yes", "on")}) {
     const auto bed = finished({{"rods", "60"},
                                {"height", "0.19"},
                                {"steps", "160000"},
                                {"every", "20000"},
                                {"events", events},
                                {"end", "write_restart bed.restart"}},
-                              "verlet/planar");
+                              "verlet/planar", with_cap(deck, cap));
     std::vector<Table> contacts, spheres;
     for (const char* style : {"verlet", "verlet/planar"}) {
-      const auto run = run_liggghts_in(bed.folder, deck_from("bed.restart"),
+      const auto run = run_liggghts_in(bed.folder, with_cap(deck_from("bed.restart"), cap),
                                        {{"rods", "60"},
                                         {"height", "0.19"},
                                         {"steps", "10"},
@@ -195,17 +214,19 @@ TEST(PlanarEngine, RestartGoesOnExactly) {
                      {"every", "1000"},
                      {"extra", "restart 9000 r.*"},
                      {"style", "verlet/planar"}};
-  const auto run = run_liggghts(deck, vars);
-  ASSERT_EQ(run.exit_code, 0) << run.output;
-  const Table whole = last(run, "bodies", vars);
-  std::filesystem::remove(run.folder / "bodies.20000.dump");
-  Vars rest = vars;
-  rest["steps"] = "11000";
-  const auto again = run_liggghts_in(run.folder, deck_from("r.9000"), rest);
-  ASSERT_EQ(again.exit_code, 0) << again.output;
-  const Table parts = last(run, "bodies", vars);
-  for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})
-    EXPECT_EQ(whole.column(column), parts.column(column)) << column;
+  for (const char* cap : {"off", "on"}) {
+    const auto run = run_liggghts(with_cap(deck, cap), vars);
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const Table whole = last(run, "bodies", vars);
+    std::filesystem::remove(run.folder / "bodies.20000.dump");
+    Vars rest = vars;
+    rest["steps"] = "11000";
+    const auto again = run_liggghts_in(run.folder, with_cap(deck_from("r.9000"), cap), rest);
+    ASSERT_EQ(again.exit_code, 0) << again.output;
+    const Table parts = last(run, "bodies", vars);
+    for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})
+      EXPECT_EQ(whole.column(column), parts.column(column)) << cap << column;
+  }
 }
 
 TEST(PlanarEngine, RefusesWhatItCannotHonour) {
@@ -223,13 +244,11 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
               HasSubstr("run_style verlet/planar: fix wall/gran (id left) is no plane, expected"));
   EXPECT_THAT(output({}, "xplane 0.0 multistepOrder 4", "xplane 0.0 shear y 1 multistepOrder 4"),
               HasSubstr("fix wall/gran (id left) moves ('shear'), expected a wall at rest"));
-  EXPECT_THAT(
-      output({}, "xplane 0.0 multistepOrder 4", "xplane 0.0 multistepOrder 4 totalForceCap on"),
-      HasSubstr("fix wall/gran (id left) has 'totalForceCap on', expected friction under"));
   const std::string pair = "pair_style gran model spring_dashpot tangential spring_dashpot ";
-  EXPECT_THAT(
-      output({}, pair + "multistepOrder 4", pair + "multistepOrder 4 totalForceCap on"),
-      HasSubstr("run_style verlet/planar: pair_style gran has 'totalForceCap on', expected"));
+  for (const std::string& one : {std::string("xplane 0.0 "), pair})
+    EXPECT_THAT(output({}, one + "multistepOrder 4", one + "multistepOrder 4 totalForceCap on"),
+                HasSubstr("has another history than pair_style gran: give both the same "
+                          "multistepOrder and totalForceCap"));
   EXPECT_THAT(
       output({}, pair + "multistepOrder 4\npair_coeff * *",
              "pair_style hybrid " + pair.substr(11) + "multistepOrder 4\npair_coeff * * gran"),
@@ -277,8 +296,9 @@ TEST(PlanarEngine, RanksAgreeWithOneRankToRounding) {
 // Rods slide down an incline, in contact with it and with one another, over the borders of ranks
 // 3 cm apart, of which they may pass one between two looks: what LIGGGHTS passes on has to be asked
 // for more often than anybody looks.
+// Friction here is that under the cap of the whole normal force, whose history is the longest.
 TEST(PlanarEngine, ContactsKeepTheirHistoryWhenRodsChangeTheirRanks) {
-  std::string incline = deck;
+  std::string incline = with_cap(deck);
   incline.replace(incline.find("vector 0 -1 0"), 13, "vector 1 -1 0");
   const Vars vars = {{"rods", "9"},      {"width", "0.12"},  {"every", "7000"},
                      {"steps", "21000"}, {"height", "0.02"}, {"style", "verlet/planar"}};
@@ -326,20 +346,21 @@ TEST(PlanarEngine, RanksFindTheForcesOfABedAtRest) {
 }
 
 TEST(PlanarEngine, RanksGoOnExactlyFromARestart) {
-  for (const int ranks : {2, 4}) {
+  for (const auto& [ranks, cap] : {std::make_pair(2, "on"), std::make_pair(4, "off")}) {
     const Vars vars = {{"rods", "40"},
                        {"height", "0.1"},
                        {"steps", "50000"},
                        {"every", "1000"},
                        {"extra", "restart 38500 r.*"},
                        {"style", "verlet/planar"}};
-    const auto run = run_liggghts(deck, vars, ranks);
+    const auto run = run_liggghts(with_cap(deck, cap), vars, ranks);
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const Table whole = last(run, "bodies", vars);
     std::filesystem::remove(run.folder / "bodies.50000.dump");
     Vars rest = vars;
     rest["steps"] = "11500";
-    const auto again = run_liggghts_in(run.folder, deck_from("r.38500"), rest, ranks);
+    const auto again =
+        run_liggghts_in(run.folder, with_cap(deck_from("r.38500"), cap), rest, ranks);
     ASSERT_EQ(again.exit_code, 0) << again.output;
     const Table parts = last(run, "bodies", vars);
     for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})

@@ -26,6 +26,7 @@
 
 namespace LAMMPS_NS {
 
+using rodpack::CapHistory;
 using rodpack::NormalHistory;
 using rodpack::TangentialHistory;
 
@@ -76,17 +77,6 @@ const char* const needed_models =
 // The number of values tells the caps apart: another multistepOrder takes three more or less.
 static_assert(rodpack::stored_cap_values % 3 != 0, "taken for another multistepOrder");
 
-/// Whether the models keep the values of totalForceCap, too, of which the engine knows nothing.
-bool has_total_cap(int values) {
-  for (int slots = 1; slots <= rodpack::max_multistep_order; ++slots)
-    if (values == rodpack::stored_history_values(slots) + rodpack::stored_cap_values) return true;
-  return false;
-}
-
-const char* const elastic_cap_alone =
-    "has 'totalForceCap on', expected friction under the cap of the elastic force ('off', or "
-    "nothing)";
-
 /// Finds the plane x = c or y = c that a wall is; false for any other primitive.
 bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
   if (const FixWallGranSolid* solid = dynamic_cast<FixWallGranSolid*>(fix)) {
@@ -121,10 +111,14 @@ void PlanarContactTransfer::connect() {
   if (!has_known_models(pair_))
     refuse(lmp, std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();
-  if (has_total_cap(values_)) refuse(lmp, std::string("pair_style gran ") + elastic_cap_alone);
+  // Also those of totalForceCap, if it is on.
   slots_ = (values_ - rodpack::stored_history_values(0)) / 3;
+  has_total_cap_ = values_ != rodpack::stored_history_values(slots_);
+  if (has_total_cap_)
+    slots_ = (values_ - rodpack::stored_history_values(0) - rodpack::stored_cap_values) / 3;
   if (slots_ < 1 || slots_ > rodpack::max_multistep_order ||
-      values_ != rodpack::stored_history_values(slots_))
+      values_ != rodpack::stored_history_values(slots_) +
+                     (has_total_cap_ ? rodpack::stored_cap_values : 0))
     refuse(lmp, "pair_style gran keeps other values in the history of contacts");
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
@@ -139,10 +133,10 @@ void PlanarContactTransfer::connect() {
     if (wall->heattransfer_flag() || wall->store_force_contact() ||
         wall->store_force_contact_stress() || wall->store_sum_normal_force())
       refuse(lmp, name + "stores values of contacts or transfers heat, which the engine does not");
-    if (has_total_cap(wall->dnum())) refuse(lmp, name + elastic_cap_alone);
     if (wall->dnum() != values_)
-      refuse(lmp,
-             name + "has another history than pair_style gran: give both the same multistepOrder");
+      refuse(lmp, name +
+                      "has another history than pair_style gran: give both the same "
+                      "multistepOrder and totalForceCap");
     walls_.push_back(wall);
   }
 }
@@ -179,23 +173,37 @@ std::vector<rodpack::PlanarWall> PlanarContactTransfer::walls() const {
 struct PlanarContactTransfer::Record {
   NormalHistory normal;
   TangentialHistory tangential;
+  bool has_cap;
+  CapHistory cap;  // of totalForceCap
 
-  Record(const double* stored, int slots)
+  Record(const double* stored, int slots, bool total_cap)
       : normal(rodpack::unpack_normal(stored)),
-        tangential(rodpack::unpack_tangential(stored + rodpack::stored_normal_values, slots)) {}
-  Record(const PlanarContactRecord& contact, int slots, std::int64_t now) : tangential(slots) {
+        tangential(rodpack::unpack_tangential(stored + rodpack::stored_normal_values, slots)),
+        has_cap(total_cap) {
+    if (has_cap) cap = rodpack::unpack_cap(stored + rodpack::stored_history_values(slots));
+  }
+  Record(const PlanarContactRecord& contact, int slots, bool total_cap, std::int64_t now)
+      : tangential(slots), has_cap(total_cap) {
+    const double* const constants = contact.state.constants;
     to_space(contact.state.history, {contact.normal[0], contact.normal[1]}, normal, tangential);
+    cap = to_cap(contact.state.history, normal, constants[3], constants[4]);
     normal.next_step = now + 1;
     tangential.step = now;
-    tangential.friction = contact.state.constants[0];
-    tangential.stiffness = contact.state.constants[1];
-    tangential.damping = contact.state.constants[2];
+    tangential.friction = constants[0];
+    tangential.stiffness = constants[1];
+    tangential.damping = constants[2];
   }
 
+  rodpack::PlanarHistory in_plane(rodpack::Vector2<double> normal_vector) const {
+    rodpack::PlanarHistory history = to_plane(normal, tangential, normal_vector);
+    history.earlier = cap.earlier;
+    return history;
+  }
   bool lives(std::int64_t now) const { return tangential.known != 0 && tangential.step == now; }
   void store(double* stored) const {
     rodpack::pack(normal, stored);
     rodpack::pack(tangential, stored + rodpack::stored_normal_values);
+    if (has_cap) rodpack::pack(cap, stored + rodpack::stored_history_values(tangential.slots));
   }
 };
 
@@ -215,13 +223,13 @@ std::vector<PlanarContactRecord> PlanarContactTransfer::read(const PlanarOwners&
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       // The rank of j lists this contact too; one of both has to read it.
       if (j >= atom->nlocal && atom->tag[j] < atom->tag[i]) continue;
-      const Record record(histories + values_ * jj, slots_);
+      const Record record(histories + values_ * jj, slots_, has_total_cap_);
       if (!record.lives(now)) continue;
       PlanarContactRecord contact = PlanarContactRecord();
       contact.atom = atom->tag[i];
       contact.partner = atom->tag[j];
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], r = std::hypot(dx, dy);
-      contact.state.history = to_plane(record.normal, record.tangential, {dx / r, dy / r});
+      contact.state.history = record.in_plane({dx / r, dy / r});
       send(contact, i);
       if (owners.of_body(j) != owners.of_body(i)) send(contact, j);
     }
@@ -229,15 +237,14 @@ std::vector<PlanarContactRecord> PlanarContactTransfer::read(const PlanarOwners&
   const std::vector<rodpack::PlanarWall> planes = walls();
   for (size_t w = 0; w < walls_.size(); ++w)
     for (int i = 0; i < atom->nlocal; ++i) {
-      const Record record(WallAccess::histories(walls_[w])[i], slots_);
+      const Record record(WallAccess::histories(walls_[w])[i], slots_, has_total_cap_);
       if (!record.lives(now)) continue;
       PlanarContactRecord contact = PlanarContactRecord();
       contact.atom = atom->tag[i];
       contact.partner = -1 - static_cast<int>(w);
       const int axis = planes[w].axis;
       const double side = planes[w].side_of(x[i][axis] - planes[w].position);
-      contact.state.history = to_plane(record.normal, record.tangential,
-                                       {axis == 0 ? side : 0.0, axis == 1 ? side : 0.0});
+      contact.state.history = record.in_plane({axis == 0 ? side : 0.0, axis == 1 ? side : 0.0});
       send(contact, i);
     }
   return exchange_records(world, std::move(contacts));
@@ -258,7 +265,7 @@ void PlanarContactTransfer::write_to_walls(const std::vector<PlanarContactRecord
       std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
   for (const PlanarContactRecord& contact : records)
     if (contact.partner < 0)
-      Record(contact, slots_, now)
+      Record(contact, slots_, has_total_cap_, now)
           .store(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
 }
 
@@ -290,7 +297,8 @@ void PlanarContactTransfer::write_to_lists(const std::vector<PlanarContactRecord
     missing += (is_there ? -1 : 1) * (j >= 0 && j < atom->nlocal ? 1 : is_there ? 0 : 2);
     if (!is_there) continue;
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    Record(contact, slots_, now).store(list->listgranhistory->firstdouble[i] + values_ * jj);
+    Record(contact, slots_, has_total_cap_, now)
+        .store(list->listgranhistory->firstdouble[i] + values_ * jj);
   }
   if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
@@ -315,7 +323,7 @@ void PlanarContactTransfer::write_to_atoms(const std::vector<PlanarContactRecord
     if (contact.partner < 0) continue;
     const int i = local_atom(contact.atom), entry = HistoryAccess::count(histories, i)++;
     HistoryAccess::partners(histories, i)[entry] = contact.partner;
-    Record(contact, slots_, now).store(histories->contacthistory(i, entry));
+    Record(contact, slots_, has_total_cap_, now).store(histories->contacthistory(i, entry));
   }
 }
 

@@ -28,6 +28,8 @@ class PlanarContactTransfer : protected Pointers {
   void connect();
   /// Number of tangential velocities that the history of a contact holds.
   int slots() const { return slots_; }
+  /// Whether friction is capped at mu times the whole normal force, by totalForceCap.
+  bool has_total_cap() const { return has_total_cap_; }
   /// Contact constants of each pair of atom types (row by row), and the walls.
   std::vector<rodpack::PlanarLaw> laws() const;
   std::vector<rodpack::PlanarWall> walls() const;
@@ -50,6 +52,7 @@ class PlanarContactTransfer : protected Pointers {
   std::vector<class FixWallGran*> walls_;
   int values_ = 0;  // in a contact's history
   int slots_ = 0;   // tangential velocities among them
+  bool has_total_cap_ = false;
 };
 
 }  // namespace LAMMPS_NS

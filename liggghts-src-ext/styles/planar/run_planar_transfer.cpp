@@ -86,6 +86,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   settings.order = bodies_->order();
   settings.slots = contacts_.slots();
   settings.events = bodies_->follows_events();
+  settings.total_force_cap = contacts_.has_total_cap();
   settings.types = atom->ntypes;
   settings.laws = contacts_.laws();
   settings.walls = contacts_.walls();

@@ -24,7 +24,7 @@ LastingContact<OneContact> contact(double spring, bool slid) {
   c.tangential_velocity = 1e-3;
   c.spring = spring;
   c.spring_before = spring;
-  c.cap = 0.3 * 0.01;
+  c.friction = 0.3 * 1000;
   c.slid = slid;
   return c;
 }
@@ -32,7 +32,8 @@ LastingContact<OneContact> contact(double spring, bool slid) {
 }  // namespace
 
 TEST(LastingForce, SticksBelowTheCap) {
-  const LastingForce<OneContact> force = lasting_force(contact(4e-6, false), 0.0, true);
+  const LastingForce<OneContact> force =
+      lasting_force<ElasticLoad>(contact(4e-6, false), 0.0, true);
   EXPECT_FALSE(force.slides || force.changes);
   EXPECT_DOUBLE_EQ(force.normal, 0.01);
   EXPECT_DOUBLE_EQ(force.tangential, -(500 * 4e-6 + 0.1 * 1e-3));
@@ -45,7 +46,7 @@ TEST(LastingForce, SlidesOnWhileTheVelocityStretchesTheSpring) {
   for (const double sign : {1.0, -1.0}) {
     LastingContact<OneContact> c = contact(5e-6 * sign, true);
     c.tangential_velocity *= sign;
-    const LastingForce<OneContact> force = lasting_force(c, 0.0, true);
+    const LastingForce<OneContact> force = lasting_force<ElasticLoad>(c, 0.0, true);
     EXPECT_TRUE(force.slides);
     EXPECT_FALSE(force.changes);
     EXPECT_DOUBLE_EQ(force.tangential, -0.003 * sign);
@@ -56,19 +57,19 @@ TEST(LastingForce, SlidesOnWhileTheVelocityStretchesTheSpring) {
 // Sticking under more than the cap, sliding backwards, pulling after pushing, and pushing after
 // pulling: something has happened within the step, which this law leaves to others.
 TEST(LastingForce, EveryChangeOfBranchIsSeen) {
-  EXPECT_TRUE(lasting_force(contact(6e-6, false), 0.0, true).changes);  // 0.0031 N
-  EXPECT_TRUE(lasting_force(contact(-5e-6, true), 0.0, true).changes);
+  EXPECT_TRUE(lasting_force<ElasticLoad>(contact(6e-6, false), 0.0, true).changes);  // 0.0031 N
+  EXPECT_TRUE(lasting_force<ElasticLoad>(contact(-5e-6, true), 0.0, true).changes);
   LastingContact<OneContact> pulls = contact(4e-6, false);
   pulls.separation_velocity = 0.06;  // 0.01 N - 0.012 N
-  EXPECT_TRUE(lasting_force(pulls, 0.0, true).changes);
+  EXPECT_TRUE(lasting_force<ElasticLoad>(pulls, 0.0, true).changes);
   pulls.viscoelastic_before = -0.001;
-  const LastingForce<OneContact> cut = lasting_force(pulls, 0.0, true);
+  const LastingForce<OneContact> cut = lasting_force<ElasticLoad>(pulls, 0.0, true);
   EXPECT_FALSE(cut.changes || cut.pushes);
   EXPECT_EQ(cut.normal, 0);
   EXPECT_NEAR(cut.viscoelastic, -0.002, 1e-17);
   LastingContact<OneContact> pushes = contact(4e-6, false);
   pushes.viscoelastic_before = -0.001;
-  EXPECT_TRUE(lasting_force(pushes, 0.0, true).changes);
+  EXPECT_TRUE(lasting_force<ElasticLoad>(pushes, 0.0, true).changes);
 }
 
 // Without a dashpot, or where changes are not followed, each step decides anew, as
@@ -79,16 +80,46 @@ TEST(LastingForce, DecidesAnewWhereNothingIsFollowed) {
       for (const double spring : {-8e-6, -4e-6, 4e-6, 8e-6}) {
         LastingContact<OneContact> c = contact(spring, slid);
         if (follows) c.tangential_damping = 0;
-        const LastingForce<OneContact> force = lasting_force(c, 0.0, follows);
+        const LastingForce<OneContact> force = lasting_force<ElasticLoad>(c, 0.0, follows);
         double one_spring[1] = {spring}, one_force[1];
         const double velocity[1] = {c.tangential_velocity};
         const bool slides =
-            tangential_force(500.0, c.tangential_damping, c.cap, one_spring, velocity, one_force);
+            tangential_force(500.0, c.tangential_damping, 0.003, one_spring, velocity, one_force);
         EXPECT_FALSE(force.changes);
         EXPECT_EQ(force.slides, slides);
         EXPECT_DOUBLE_EQ(force.tangential, one_force[0]);
         EXPECT_NEAR(force.spring, one_spring[0], 1e-20);
       }
+}
+
+// mu times spring and dashpot, 0.3 (0.01 N + 0.2 kg/s u) at the closing speed u.
+TEST(LastingForce, TheWholeLoadHasTheDashpotInTheCap) {
+  for (const double closing : {0.02, 0.0, -0.02}) {
+    LastingContact<OneContact> c = contact(8e-6, true);
+    c.friction = 0.3;
+    c.separation_velocity = -closing;
+    const LastingForce<OneContact> force = lasting_force<WholeLoad>(c, 0.0, true);
+    EXPECT_TRUE(force.slides);
+    EXPECT_FALSE(force.changes);
+    EXPECT_NEAR(force.tangential, -0.3 * (0.01 + 0.2 * closing), 1e-17) << closing;
+    EXPECT_NEAR(force.spring, 0.3 * (0.01 + 0.2 * closing) / 500, 1e-19) << closing;
+  }
+}
+
+// Where the normal force was cut off and friction with it, there is no slide that could go on.
+TEST(LastingForce, FrictionThatBeginsAnewUnderTheWholeLoadIsAChange) {
+  LastingContact<OneContact> c = contact(1e-9, true);
+  c.friction = 0.3;
+  c.viscoelastic_before = -0.001;
+  c.spring_before = 0;
+  EXPECT_TRUE(lasting_force<WholeLoad>(c, 0.0, true).changes);
+  c.separation_velocity = 0.06;  // cut off now too
+  EXPECT_TRUE(lasting_force<WholeLoad>(c, 0.0, true).changes);
+  c.tangential_damping = 0;  // each step decides by itself: no force
+  const LastingForce<OneContact> none = lasting_force<WholeLoad>(c, 0.0, true);
+  EXPECT_FALSE(none.changes);
+  EXPECT_EQ(none.tangential, 0);
+  EXPECT_EQ(none.spring, 0);
 }
 
 // Two points of a body that moves and turns, and back: the relative velocity is that of the other

@@ -136,7 +136,8 @@ PlanarBody with_past(int order) {
 void advance(PlanarBodyStates& bodies, PlanarNeighbours& neighbours, long step) {
   std::vector<int> to_list;
   bodies.prepare(0, step);
-  bodies.advance(0, step, planar_kernel(PlanarInstructions::baseline), neighbours, 0, to_list);
+  bodies.advance(0, step, planar_kernel(PlanarInstructions::baseline, false), neighbours, 0,
+                 to_list);
 }
 
 }  // namespace

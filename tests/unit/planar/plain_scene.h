@@ -205,7 +205,8 @@ class PlainScene {
                      normal_velocity(contact));
     double spring[1] = {history.spring}, velocity[1] = {history.velocities[0]}, tangential[1];
     tangential_force(law.kt, damping_coefficient(law.eta_t, contact.mass, law.kt),
-                     law.friction * normal.elastic, spring, velocity, tangential);
+                     law.friction * (settings_.total_force_cap ? normal.total : normal.elastic),
+                     spring, velocity, tangential);
     history.spring = spring[0];
     const Vector& n = contact.normal;
     const Vector force = {normal.total * n[0] - tangential[0] * n[1],

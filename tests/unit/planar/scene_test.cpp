@@ -55,6 +55,26 @@ TEST(PlanarScene, CollisionsAreOfThirdOrderWithEventsAndOfFirstWithout) {
   EXPECT_LT(std::log2(error(8e-6, false) / error(1e-6, false)) / 3, 1.5);
 }
 
+// A slide all through an impact has mu times the impulse of the normal force, dashpot included, to
+// rounding whatever the step, since every event of that force is one of the friction too: a disc
+// loses mu times what it gains along the normal. Its own tangential force turns it.
+TEST(PlanarScene, UnderTheCapOfTheWholeForceASlideHasMuTimesTheNormalImpulse) {
+  for (const int order : {2, 3, 4}) {
+    PlanarSettings settings = settings_of({1000.0, 500.0, 0.3, 0.3, 0.3});
+    settings.order = order;
+    settings.slots = 4;
+    settings.total_force_cap = true;
+    settings.walls = {{1, 0.0, 0}};
+    PlanarScene scene(settings, {moving(rod(1, 0, 0.5 * diameter + 1.7e-5, 0), 3.0, -0.5)});
+    scene.evaluate();
+    scene.run(200);
+    const PlanarBody body = scene.body(0);
+    EXPECT_NEAR(body.velocity[1] / 0.5, restitution_coefficient(0.3), 0.02);
+    EXPECT_NEAR(3.0 - body.velocity[0], 0.3 * (body.velocity[1] + 0.5), 1e-13) << order;
+    EXPECT_LT(body.velocity[2], -100) << order;
+  }
+}
+
 // Weight over the number of spheres is carried by each spring: delta = m g / (n k).
 TEST(PlanarScene, RodAtRestOnTheFloorPressesEachSphereIntoItByItsShare) {
   PlanarSettings settings = box(5);
@@ -181,10 +201,14 @@ TEST(PlanarScene, AnAngleBeyondAllNumbersEnds) {
   EXPECT_EQ(scene.run(3), 3);
 }
 
+// Orders, and both caps of friction.
 TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
-  for (const int order : {1, 2, 3, 4}) {
+  for (const auto& method : {std::make_pair(1, false), std::make_pair(2, true),
+                             std::make_pair(3, false), std::make_pair(4, true)}) {
+    const int order = method.first;
     PlanarSettings settings = box(5);
     settings.order = order;
+    settings.total_force_cap = method.second;
     settings.events = false;
     const std::vector<PlanarBody> start = heap(9, 5);
     const int steps = 4000;
@@ -220,6 +244,7 @@ TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
       settings.laws[3].kn *= 1.5;  // by type, so that the lanes of a register differ
       settings.events = events;
       settings.order = order;
+      settings.total_force_cap = order == 4;
       settings.slots = 4;
       std::vector<PlanarBody> start = heap(23, 5, 2.0);
       const double middle = 0.5 * settings.walls[2].position;
@@ -293,6 +318,7 @@ TEST(PlanarScene, GoesOnFromItsBodiesAndContacts) {
   for (const bool events : {false, true}) {
     PlanarSettings settings = box(5);
     settings.events = events;
+    settings.total_force_cap = events;
     PlanarScene whole(settings, heap(15, 5));
     whole.evaluate();
     whole.run(3000);

@@ -16,6 +16,7 @@ void PlanarBlockPool::set_arguments(int part, PlanarForceArguments& forces) {
   forces.others = others(part);
   forces.rows = rows();
   forces.newest = velocity(0, true);
+  forces.earlier = earlier();
   for (int k = 0; k < std::min(slots_, max_multistep_order); ++k) forces.velocity[k] = velocity(k);
 }
 
@@ -51,6 +52,7 @@ void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
   for (int k = 0; k < max_multistep_order; ++k)
     history.velocity[k] = k < slots_ ? of_lane[velocity(k)] : 0.0;
   history.viscoelastic = of_lane[planar_viscoelastic];
+  history.earlier = has_earlier_ ? of_lane[earlier()] : 0.0;
   history.touch_rate = cold.touch_rate[lane];
   history.since = cold.since[lane];
 }
@@ -73,6 +75,7 @@ void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state,
   of_lane[planar_spring] = history.spring;
   for (int k = 0; k < slots_; ++k) of_lane[velocity(k, aged)] = history.velocity[k];
   of_lane[planar_viscoelastic] = history.viscoelastic;
+  if (has_earlier_) of_lane[earlier()] = history.earlier;
 }
 
 }  // namespace rodpack

@@ -38,8 +38,9 @@ struct PlanarBlockColdData {
 class PlanarBlockPool {
  public:
   /// @param slots  tangential velocities that a contact remembers
+  /// @param earlier  whether it remembers the normal force one evaluation before the last
   /// @param hole_j  second body of the holes: 0 or, if the blocks are of walls, -1
-  PlanarBlockPool(int bodies, int slots, int hole_j);
+  PlanarBlockPool(int bodies, int slots, int hole_j, bool earlier = false);
 
   void resize(int bodies) { of_body_.resize(bodies); }
   /// The number of places, holes too.
@@ -78,6 +79,8 @@ class PlanarBlockPool {
       row -= slots_;
     return planar_velocities + row * planar_row;
   }
+  /// Offset of the normal force one evaluation before the last among a block's numbers.
+  int earlier() const { return planar_velocities + slots_ * planar_row; }
   /// Makes the velocities so many steps older.
   void age(int steps) { front_ = newest_ = ring_index(-steps); }
   /// Until they age, velocities are counted from so many steps after the last one: a part of
@@ -112,7 +115,7 @@ class PlanarBlockPool {
     const std::size_t group = place / planar_group;
     return group * rows() * planar_row + place % planar_group * planar_lanes;
   }
-  int rows() const { return planar_velocities / planar_row + slots_; }
+  int rows() const { return planar_velocities / planar_row + slots_ + (has_earlier_ ? 1 : 0); }
   int ring_index(int k) const { return ((newest_ + k) % slots_ + slots_) % slots_; }
 
   int take_hole(int part);
@@ -123,6 +126,7 @@ class PlanarBlockPool {
   void find_ends(const PlanarParts& parts, int first, int end, std::vector<int>& ends) const;
 
   const int slots_;
+  const bool has_earlier_;
   AlignedVector<PlanarBlockHead> heads_;
   AlignedVector<double> all_values_;
   std::vector<int> laws_;
@@ -155,7 +159,8 @@ class PlanarBlockPool {
 /// All blocks of a scene: between two bodies, and between a body and a wall.
 class PlanarBlocks {
  public:
-  PlanarBlocks(int bodies, int slots) : pairs_(bodies, slots, 0), at_walls_(bodies, slots, -1) {}
+  PlanarBlocks(int bodies, int slots, bool earlier = false)
+      : pairs_(bodies, slots, 0, earlier), at_walls_(bodies, slots, -1, earlier) {}
 
   const PlanarBlockPool& pairs() const { return pairs_; }
   const PlanarBlockPool& at_walls() const { return at_walls_; }

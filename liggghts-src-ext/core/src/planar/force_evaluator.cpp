@@ -27,7 +27,8 @@ PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const Pl
     wall_lines_.push_back({wall.axis == 0 ? 1.0 : 0.0, wall.axis == 1 ? 1.0 : 0.0, wall.position,
                            static_cast<double>(wall.free_side)});
   for (const PlanarLaw& law : settings_.laws)
-    laws_.push_back({law.kn, law.kt, 1.0 / law.kt, law.friction * law.kn});
+    laws_.push_back({law.kn, law.kt, 1.0 / law.kt,
+                     settings_.total_force_cap ? law.friction : law.friction * law.kn});
 }
 
 void PlanarForceEvaluator::evaluate(int part, long step) {
@@ -92,6 +93,8 @@ PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& po
   state.constants[0] = laws_[pool.law(place)].friction;
   state.constants[1] = contact.kt;
   state.constants[2] = contact.gammat;
+  state.constants[3] = contact.kn;
+  state.constants[4] = contact.gamman;
   std::copy(contact.en, contact.en + 2, state.normal);
   return state;
 }
@@ -132,9 +135,25 @@ void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
   bodies_.add_load(contact.body_j, {-force.x, -force.y}, -cross_z(contact.lever_j(), force));
 }
 
+template <class Cap>
+TangentialForce PlanarForceEvaluator::friction_of(const PlanarContact& contact,
+                                                  TangentialHistory& history, const Cap& cap) {
+  PlanarEvents* const followed = follows_ ? &events_ : nullptr;
+  return tangential_contact_force(contact, history, cap, true, tangential_step(),
+                                  static_cast<const PlanarEvents*>(followed), followed);
+}
+
+/// Reports that a contact has ended within the step.
+template <class Cap>
+void PlanarForceEvaluator::end(const PlanarContact& contact, const NormalHistory& normal,
+                               TangentialHistory& history, const Cap& cap) {
+  end_normal_force(contact, normal, settings_.dt, events_);
+  end_tangential_force(contact, history, cap, tangential_step(), events_);
+}
+
 void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int lane) {
   const bool alive = (pool.head(place).alive & 1 << lane) != 0;
-  const ElasticCap cap = {laws_[pool.law(place)].friction};
+  const double friction = laws_[pool.law(place)].friction;
   PlanarContact contact;
   const bool touches = place_lane(pool, place, lane, contact);
   if (!touches && !alive) return;
@@ -146,31 +165,34 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   NormalHistory normal_history;
   TangentialHistory history(slots_);
   to_space(lane_state.history, contact.normal(), normal_history, history);
+  CapHistory of_cap = to_cap(lane_state.history, normal_history, contact.kn, contact.gamman);
   if (!alive) history.known = 0;
   history.step = step_ - 1;
-  history.friction = cap.friction;
+  history.friction = friction;
   history.stiffness = contact.kt;
   history.damping = contact.gammat;
-  PlanarEvents* const followed = follows_ ? &events_ : nullptr;
+  const bool total = settings_.total_force_cap;
 
   if (!touches) {
-    if (followed) {
-      end_normal_force(contact, normal_history, settings_.dt, *followed);
-      end_tangential_force(contact, history, cap, tangential_step(), *followed);
-    }
+    if (follows_ && total)
+      end(contact, normal_history, history, TotalCap(friction, 0.0, of_cap));
+    else if (follows_)
+      end(contact, normal_history, history, ElasticCap{friction});
     pool.clear(place, lane);
     return;
   }
 
   ++general_contacts_;
   const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
-  follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings_.dt, followed);
+  follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings_.dt,
+                      follows_ ? &events_ : nullptr);
   const TangentialForce tangential =
-      tangential_contact_force(contact, history, cap, true, tangential_step(),
-                               static_cast<const PlanarEvents*>(followed), followed);
+      total ? friction_of(contact, history, TotalCap(friction, normal.viscoelastic, of_cap))
+            : friction_of(contact, history, ElasticCap{friction});
   apply(contact, normal.total, tangential.force);
 
   lane_state.history = to_plane(normal_history, history, contact.normal());
+  lane_state.history.earlier = of_cap.earlier;
   lane_state.full_history = history.known == full_count();
   pool.restore(place, lane, lane_state, true);
 }

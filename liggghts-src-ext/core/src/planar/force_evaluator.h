@@ -43,6 +43,12 @@ class PlanarForceEvaluator {
   PlanarForceArguments arguments(PlanarBlockPool& pool, int part);
   void evaluate_general(PlanarBlockPool& pool, int entries);
   void evaluate_lane(PlanarBlockPool& pool, int place, int lane);
+  template <class Cap>
+  TangentialForce friction_of(const PlanarContact& contact, TangentialHistory& history,
+                              const Cap& cap);
+  template <class Cap>
+  void end(const PlanarContact& contact, const NormalHistory& normal, TangentialHistory& history,
+           const Cap& cap);
   bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
   PlanarContactState contact_state(const PlanarBlockPool& pool, int place, int lane) const;
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;

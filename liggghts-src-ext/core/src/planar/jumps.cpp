@@ -45,13 +45,19 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
                              tangential = component(jump, tangent);
   double* const values = pool.mutable_values(place) + lane;
   const PlanarLawConstants& law = laws_[pool.law(place)];
+  // Under the cap of the whole normal force a slide learns of the jump through that force, and
+  // friction may begin anew: the general path knows how.
+  const bool slid = (head.sliding & bit) != 0, total = settings_.total_force_cap;
+  const double before =
+      viscoelastic_before(values[planar_viscoelastic], contact.gamman, normal.velocity);
+  if (total && (slid || !(before > 0.0))) return false;
 
   const double dt = settings_.dt;
   const MultistepWeights& weights = adams_bashforth_weights(settings_.order);
   LastingContact<OneContact> lasting;
   double velocity[max_multistep_order];
   for (int k = 0; k < slots_; ++k) velocity[k] = values[pool.velocity(k)];
-  lasting.slid = (head.sliding & bit) != 0;
+  lasting.slid = slid;
   lasting.spring_before = values[planar_spring];
   follow_jump(tangential, dt, lasting.slid, lasting.spring_before, slots_,
               [&](int k) -> double& { return velocity[k]; });
@@ -66,14 +72,16 @@ bool PlanarForceEvaluator::outlast_jump(PlanarBlockPool& pool, int place, int la
   lasting.inverse_stiffness.inverse = law.inverse_kt;
   lasting.tangential_damping = contact.gammat;
   lasting.tangential_velocity = contact.tangential_velocity();
-  lasting.cap = coulomb_cap(law.friction, contact.deltan);
-  const LastingForce<OneContact> force = lasting_force(lasting, 0.0, true);
+  lasting.friction = law.friction;
+  const LastingForce<OneContact> force = total ? lasting_force<WholeLoad>(lasting, 0.0, true)
+                                               : lasting_force<ElasticLoad>(lasting, 0.0, true);
   if (force.changes) return false;
 
   const double along_tangent[3] = {force.tangential * tangent[0], force.tangential * tangent[1],
                                    0.0};
   apply(contact, force.normal, along_tangent);
   values[planar_spring] = force.spring;
+  if (total) values[pool.earlier()] = before;
   values[planar_viscoelastic] = force.viscoelastic;
   for (int k = 0; k < slots_; ++k) values[pool.velocity(k)] = velocity[k];
   values[pool.velocity(0, true)] = lasting.tangential_velocity;

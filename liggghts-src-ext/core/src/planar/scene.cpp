@@ -141,9 +141,9 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
                         PlanarRanks* ranks)
     : settings(given),
       parts{static_cast<int>(all.size()), bodies_in_part},
-      kernel(planar_kernel(given.instructions)),
+      kernel(planar_kernel(given.instructions, given.total_force_cap)),
       bodies(settings, parts, all),
-      blocks(bodies.size(), std::max(given.order, given.slots)),
+      blocks(bodies.size(), std::max(given.order, given.slots), given.total_force_cap),
       events(parts),
       dependencies(parts),
       neighbours(settings, bodies, parts, blocks, dependencies),

@@ -43,6 +43,7 @@ struct PlanarForceArguments {
   PlanarRange touching, others;
   int velocity[max_multistep_order];  // offsets of the tangential velocities k + 1 steps back
   int newest;                         // offset of the tangential velocity of this step
+  int earlier;                        // of the normal force two steps back, under a WholeLoad
   // Bodies.
   const PlanarKinematics* kinematics;
   const double* moved;  // since their reference position, an upper bound, m
@@ -126,12 +127,13 @@ struct PlanarKernel {
   int (*advance)(const PlanarAdvanceArguments&);  // returns the number of entries in `to_list`
 };
 
-PlanarKernel planar_kernel_baseline();
-PlanarKernel planar_kernel_avx2();
-PlanarKernel planar_kernel_avx512();
+/// Forces under the cap of friction that PlanarSettings::total_force_cap says.
+PlanarKernel planar_kernel_baseline(bool total_force_cap);
+PlanarKernel planar_kernel_avx2(bool total_force_cap);
+PlanarKernel planar_kernel_avx512(bool total_force_cap);
 
 /// @throws std::invalid_argument if the processor or the compiler does not support them.
-PlanarKernel planar_kernel(PlanarInstructions instructions);
+PlanarKernel planar_kernel(PlanarInstructions instructions, bool total_force_cap);
 
 }  // namespace rodpack
 

@@ -33,7 +33,11 @@ namespace {
 #pragma GCC pop_options
 #endif
 
-PlanarKernel planar_kernel_avx2() { return {evaluate_pairs, evaluate_walls, advance}; }
+PlanarKernel planar_kernel_avx2(bool total_force_cap) {
+  return total_force_cap
+             ? PlanarKernel{evaluate_pairs<WholeLoad>, evaluate_walls<WholeLoad>, advance}
+             : PlanarKernel{evaluate_pairs<ElasticLoad>, evaluate_walls<ElasticLoad>, advance};
+}
 
 }  // namespace rodpack
 

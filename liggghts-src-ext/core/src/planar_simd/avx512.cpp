@@ -34,9 +34,9 @@ namespace {
 #endif
 
 /// Walls and bodies are few: AVX2's loops do.
-PlanarKernel planar_kernel_avx512() {
-  PlanarKernel kernel = planar_kernel_avx2();
-  kernel.pairs = evaluate_pairs;
+PlanarKernel planar_kernel_avx512(bool total_force_cap) {
+  PlanarKernel kernel = planar_kernel_avx2(total_force_cap);
+  kernel.pairs = total_force_cap ? evaluate_pairs<WholeLoad> : evaluate_pairs<ElasticLoad>;
   return kernel;
 }
 

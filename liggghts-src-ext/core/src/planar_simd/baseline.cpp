@@ -17,6 +17,10 @@ namespace {
 
 }  // namespace
 
-PlanarKernel planar_kernel_baseline() { return {evaluate_pairs, evaluate_walls, advance}; }
+PlanarKernel planar_kernel_baseline(bool total_force_cap) {
+  return total_force_cap
+             ? PlanarKernel{evaluate_pairs<WholeLoad>, evaluate_walls<WholeLoad>, advance}
+             : PlanarKernel{evaluate_pairs<ElasticLoad>, evaluate_walls<ElasticLoad>, advance};
+}
 
 }  // namespace rodpack

@@ -43,9 +43,12 @@ enum PlanarBlockValue {
   planar_spring = 5 * planar_row,
   planar_viscoelastic = 6 * planar_row,
   planar_velocities = 7 * planar_row
+  // Behind the velocities, under the cap of the whole normal force alone: the normal force before
+  // its cut-off one evaluation before the last, N.
 };
 
-/// Constants of the contacts of two types. friction: mu k_n, N/m.
+/// Constants of the contacts of two types. friction: of the cap (friction_cap.h), mu k_n (N/m) or
+/// mu.
 struct PlanarLawConstants {
   double kn, kt, inverse_kt, friction;
 };

@@ -70,14 +70,14 @@ PlanarInstructions chosen(PlanarInstructions instructions) {
                                                        : instructions;
 }
 
-PlanarKernel planar_kernel(PlanarInstructions wanted) {
+PlanarKernel planar_kernel(PlanarInstructions wanted, bool total_force_cap) {
   const PlanarInstructions instructions = chosen(wanted);
   if (!available(instructions)) planar_instructions(name_of(instructions));  // throws
 #ifdef __x86_64__
-  if (instructions == PlanarInstructions::avx512) return planar_kernel_avx512();
-  if (instructions == PlanarInstructions::avx2) return planar_kernel_avx2();
+  if (instructions == PlanarInstructions::avx512) return planar_kernel_avx512(total_force_cap);
+  if (instructions == PlanarInstructions::avx2) return planar_kernel_avx2(total_force_cap);
 #endif
-  return planar_kernel_baseline();
+  return planar_kernel_baseline(total_force_cap);
 }
 
 }  // namespace rodpack

@@ -50,13 +50,13 @@ struct LaneForces {
   int general;  // lanes that need the general path after all
 };
 
-/// Sets the constants of the contacts of the blocks from `first` on; the result is mu k_n.
-inline Lanes set_constants(int first, const double* values, const PlanarForceArguments& forces,
-                           LastingContact<LaneContacts>& contact) {
+/// Sets the constants of the contacts of the blocks from `first` on.
+inline void set_constants(int first, const double* values, const PlanarForceArguments& forces,
+                          LastingContact<LaneContacts>& contact) {
   const double* gammas[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
   each_two(gammas, 0, contact.normal_damping, contact.tangential_damping);
-  Lanes friction = all_lanes(forces.laws->friction);
+  contact.friction = all_lanes(forces.laws->friction);
   contact.normal_stiffness = all_lanes(forces.laws->kn);
   contact.tangential_stiffness = all_lanes(forces.laws->kt);
   contact.inverse_stiffness.inverse = all_lanes(forces.laws->inverse_kt);
@@ -65,18 +65,18 @@ inline Lanes set_constants(int first, const double* values, const PlanarForceArg
     for (int b = 0; b < lane_blocks; ++b)
       laws[b] = reinterpret_cast<const double*>(&forces.laws[forces.block_laws[first + b]]);
     each_two(laws, law_stiffnesses, contact.normal_stiffness, contact.tangential_stiffness);
-    each_two(laws, law_friction, contact.inverse_stiffness.inverse, friction);
+    each_two(laws, law_friction, contact.inverse_stiffness.inverse, contact.friction);
   }
-  return friction;
 }
 
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
-/// step. `sliding`: lanes that slid; becomes those that do.
+/// step. `sliding`: lanes that slid; becomes those that do. `Load`: of the cap of friction.
+template <class Load>
 inline LaneForces lasting_forces(int first, double* values, const LaneMotion& motion, int lasting,
                                  int& sliding, const PlanarForceArguments& forces) {
   const Lanes zero = all_lanes(0.0);
   LastingContact<LaneContacts> contact;
-  const Lanes friction = set_constants(first, values, forces, contact);
+  set_constants(first, values, forces, contact);
   contact.overlap = motion.overlap;
   contact.separation_velocity = motion.separation_velocity;
   contact.viscoelastic_before = load_lanes(values + planar_viscoelastic);
@@ -85,9 +85,8 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   contact.spring = contact.spring_before;
   for (int k = 0; k < forces.order; ++k)
     contact.spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
-  contact.cap = coulomb_cap(friction, motion.overlap);
   contact.slid = lanes_of_bits(sliding);
-  const LastingForce<LaneContacts> force = lasting_force(contact, zero, forces.follows);
+  const LastingForce<LaneContacts> force = lasting_force<Load>(contact, zero, forces.follows);
 
   LaneMask acts = lanes_of_bits(lasting);
   LaneForces result;
@@ -99,6 +98,7 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   result.normal = lane_choice(acts, force.normal, zero);
   result.tangential = lane_choice(acts, force.tangential, zero);
   keep_lanes(acts, values + planar_spring, force.spring);
+  if (Load::damped) keep_lanes(acts, values + forces.earlier, contact.viscoelastic_before);
   keep_lanes(acts, values + planar_viscoelastic, force.viscoelastic);
   keep_lanes(acts, values + forces.newest, motion.tangential_velocity);
   sliding = lane_bits(lane_choice(acts, force.slides, contact.slid));
@@ -146,6 +146,7 @@ inline int undisturbed(const PlanarBlockHead* heads, const PlanarForceArguments&
 
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
 /// general path.
+template <class Load>
 inline __attribute__((always_inline)) int evaluate_blocks(int first,
                                                           const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
@@ -186,7 +187,7 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   set_velocities(motion,
                  velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j));
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
+  const LaneForces force = lasting_forces<Load>(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);
   double *load_i[lane_blocks], *load_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
@@ -227,11 +228,12 @@ inline int find_awake(const PlanarForceArguments& forces) {
   return count;
 }
 
+template <class Load>
 int evaluate_pairs(const PlanarForceArguments& forces) {
   int entries = 0;
   const int count = find_awake(forces);
   for (int k = 0; k < count; ++k) {
-    const int general = evaluate_blocks(forces.awake[k], forces);
+    const int general = evaluate_blocks<Load>(forces.awake[k], forces);
     if (general != 0) enter_general(forces.awake[k], general, forces, entries);
   }
   return entries;

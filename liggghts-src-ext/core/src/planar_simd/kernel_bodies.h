@@ -3,6 +3,7 @@
 
 /// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
 /// the general path.
+template <class Load>
 inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
@@ -38,7 +39,7 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   const Vector2<Lanes> of_centre = {vx, vy};
   set_velocities(motion, velocity_at(of_centre, spin, motion.lever_i));
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces(first, values, motion, lasting, sliding, forces);
+  const LaneForces force = lasting_forces<Load>(first, values, motion, lasting, sliding, forces);
   set_sliding(heads, sliding);
   const Vector2<Lanes> on_body = in_space(motion.normal, force.normal, force.tangential);
   alignas(64) PlanarVector on_walls = PlanarVector();
@@ -51,11 +52,12 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   return general | force.general;
 }
 
+template <class Load>
 int evaluate_walls(const PlanarForceArguments& forces) {
   int entries = 0;
   for (const PlanarRange& range : {forces.touching, forces.others})
     for (int first = range.first; first < range.end; first += lane_blocks) {
-      const int general = evaluate_wall_blocks(first, forces);
+      const int general = evaluate_wall_blocks<Load>(first, forces);
       if (general != 0) enter_general(first, general, forces, entries);
     }
   return entries;

@@ -98,6 +98,23 @@ inline Real coulomb_cap(Real friction, Real load) {
   return friction * load;
 }
 
+/// The load under coulomb_cap(), by the kind of cap (friction_cap.h): the overlap of which the
+/// normal spring makes its force, or the normal force, dashpot included.
+struct ElasticLoad {
+  static constexpr bool damped = false;
+  template <class Real>
+  static Real of(Real overlap, Real) {
+    return overlap;
+  }
+};
+struct WholeLoad {
+  static constexpr bool damped = true;
+  template <class Real>
+  static Real of(Real, Real normal_force) {
+    return normal_force;
+  }
+};
+
 /// A divisor of which the inverse is known.
 template <class Real>
 struct KnownInverse {
@@ -124,7 +141,7 @@ struct LastingContact {
   typename Numbers::Real tangential_stiffness, tangential_damping, tangential_velocity;
   KnownInverse<typename Numbers::Real> inverse_stiffness;  // of the tangential spring
   typename Numbers::Real spring, spring_before;            // now and one step ago
-  typename Numbers::Real cap;                              // mu times the elastic normal force
+  typename Numbers::Real friction;                         // of the cap: mu k_n, or mu
   typename Numbers::Mask slid;                             // one step ago
 };
 
@@ -139,8 +156,9 @@ struct LastingForce {
 
 /// The force on such a contact. Where `follows`, changes of branch are looked for as the limit of
 /// small steps wants it (friction_step.h): with a dashpot, sliding goes on for as long as the
-/// velocity has the direction of the spring.
-template <class Numbers>
+/// velocity has the direction of the spring. It has none where the normal force, and with it the
+/// cap of a WholeLoad, was 0: friction that begins anew then is a change.
+template <class Load, class Numbers>
 inline LastingForce<Numbers> lasting_force(const LastingContact<Numbers>& contact,
                                            typename Numbers::Real zero, bool follows) {
   typedef typename Numbers::Real Real;
@@ -149,10 +167,12 @@ inline LastingForce<Numbers> lasting_force(const LastingContact<Numbers>& contac
   result.viscoelastic = viscoelastic_force(contact.normal_stiffness, contact.overlap,
                                            contact.normal_damping, contact.separation_velocity);
   result.pushes = lane_less(zero, result.viscoelastic);
+  result.normal = lane_choice(result.pushes, result.viscoelastic, zero);
+  const Real cap = coulomb_cap(contact.friction, Load::of(contact.overlap, result.normal));
   const Real trial = trial_force(contact.tangential_stiffness, contact.spring,
                                  contact.tangential_damping, contact.tangential_velocity);
   const Mask negative = lane_less(trial, zero);
-  result.slides = lane_less(contact.cap, lane_choice(negative, -trial, trial));
+  result.slides = lane_less(cap, lane_choice(negative, -trial, trial));
   if (follows) {
     const Mask damped = lane_less(zero, contact.tangential_damping);
     const Mask goes_on = lane_less(zero, contact.tangential_velocity * contact.spring_before);
@@ -162,8 +182,7 @@ inline LastingForce<Numbers> lasting_force(const LastingContact<Numbers>& contac
   } else {
     result.changes = lane_less(zero, zero);
   }
-  const Real at_cap = lane_choice(negative, -contact.cap, contact.cap);
-  result.normal = lane_choice(result.pushes, result.viscoelastic, zero);
+  const Real at_cap = lane_choice(negative, -cap, cap);
   result.tangential = lane_choice(result.slides, at_cap, trial);
   result.spring = lane_choice(result.slides, carrying_spring(at_cap, contact.inverse_stiffness),
                               contact.spring);

@@ -16,6 +16,8 @@ struct PlanarHistory {
   double velocity[max_multistep_order] = {};   // of the last steps, newest first, m/s
   double since = 0.0;                          // time from touch to the end of its step, s
   double viscoelastic = 0.0;                   // normal force before its cut-off at 0, N
+  double earlier = 0.0;                        // the same one evaluation before the last, N; known
+                                               // under the cap of the whole normal force alone
   double touch_rate = 0.0;                     // of the normal force, assumed at touch, N/s
   int known = 0;                               // evaluations, at most slots + 1; 0: no contact
   bool sliding = false, just_touched = false;  // at the last evaluation, which was the first
@@ -36,6 +38,20 @@ inline PlanarHistory to_plane(const NormalHistory& normal_force, const Tangentia
   history.touch_rate = normal_force.touch_rate;
   history.just_touched = normal_force.just_touched;
   return history;
+}
+
+/// What the cap of the whole normal force remembers of a contact, with its k_n (N/m) and normal
+/// dashpot (kg/s): the force that it follows is that of model spring_dashpot, with the same
+/// history.
+inline CapHistory to_cap(const PlanarHistory& history, const NormalHistory& normal_force,
+                         double stiffness, double damping) {
+  CapHistory cap;
+  cap.normal = normal_force;
+  cap.earlier = history.earlier;
+  cap.has_earlier = history.known > 1;
+  cap.stiffness = stiffness;
+  cap.damping = damping;
+  return cap;
 }
 
 /// Sets all but the steps and the constants of the contact.

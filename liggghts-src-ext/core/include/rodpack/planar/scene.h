@@ -46,6 +46,9 @@ struct PlanarSettings {
   /// steps where there are so many.
   int slots = 3;
   bool events = true;  // correct for the events of contacts (force_change.h); ignored at order 1
+  /// Friction up to mu times the whole normal force, dashpot included, in place of mu k_n times the
+  /// overlap (friction_cap.h).
+  bool total_force_cap = false;
   double gravity[2] = {0.0, 0.0};
   int types = 1;
   std::vector<PlanarLaw> laws;  // types x types, row by row, symmetric
@@ -93,8 +96,10 @@ struct PlanarContactState {
   int body_j, sphere_j;  // a wall: -1 - its index, and 0
   PlanarHistory history;
   // Set by contacts(), ignored by set_contacts():
-  double constants[3];  // mu k_n (N/m), k_t (N/m), tangential dashpot (kg/s)
-  double normal[2];     // from j to i, unit length
+  // mu k_n (N/m) or, under the cap of the whole normal force, mu; k_t (N/m), tangential dashpot
+  // (kg/s); k_n, normal dashpot.
+  double constants[5];
+  double normal[2];  // from j to i, unit length
 };
 
 class PlanarScene {
