@@ -19,7 +19,7 @@ using namespace LAMMPS_NS;
 namespace {
 
 std::string path(StyleArguments& arguments, const std::string& name) {
-  const std::string text = arguments.word(name, a_plain_path);
+  std::string text = arguments.word(name, a_plain_path);
   if (!is_plain_path(text)) arguments.reject(name, a_plain_path, text);
   return text;
 }
@@ -61,8 +61,11 @@ std::string RunFolder::open(const std::string& folder,
   std::string fault = make_folder(folder);
   // As long as the ranks of a run that was killed may take to go.
   if (fault.empty()) fault = lock_folder(folder, 5.0);
-  for (const std::string& part : parts)
-    if (fault.empty()) fault = make_folder(folder + "/" + part);
+  for (const std::string& part : parts) {
+    std::string whole = folder;
+    whole.append("/").append(part);
+    if (fault.empty()) fault = make_folder(whole);
+  }
   return fault;
 }
 

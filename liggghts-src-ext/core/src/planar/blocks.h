@@ -38,8 +38,8 @@ struct PlanarBlockColdData {
 class PlanarBlockPool {
  public:
   /// @param slots  tangential velocities that a contact remembers
-  /// @param earlier  whether it remembers the normal force one evaluation before the last
   /// @param hole_j  second body of the holes: 0 or, if the blocks are of walls, -1
+  /// @param earlier  whether a contact remembers its normal force one evaluation before the last
   PlanarBlockPool(int bodies, int slots, int hole_j, bool earlier = false);
 
   void resize(int bodies) { of_body_.resize(bodies); }
