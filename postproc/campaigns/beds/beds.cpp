@@ -74,9 +74,9 @@ BedComparison frontier() {
   const std::pair<const char*, std::vector<double>> methods[] = {
       {"ab1", {8, 6, 5, 4, 3, 2, 1}},
       {"ab2", {5, 4, 3, 2, 1}},
-      {"ab2e", {2.5, 2, 1.5, 1}},
+      {"ab2e", {3, 2.5, 2, 1.5, 1}},
       {"ab3", {2.5, 2, 1}},
-      {"ab3e", {2.5, 2, 1.5, 1, 0.5}}};  // over the paper's step
+      {"ab3e", {3, 2.5, 2, 1.5, 1, 0.5}}};  // over the paper's step
   for (const auto& [method, factors] : methods)
     for (const double factor : factors) {
       BedModel model;
