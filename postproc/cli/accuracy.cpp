@@ -80,8 +80,9 @@ void add_bed_options(CLI::App& command, AccuracySettings& settings) {
       ->capture_default_str()
       ->type_name("N");
   command
-      .add_option("--comparisons", settings.bed_comparisons,
-                  "what beds compare: surface,planar,engine,stiffness,step_METHOD [default: all]")
+      .add_option(
+          "--comparisons", settings.bed_comparisons,
+          "what beds compare: surface,planar,engine,stiffness,step_METHOD,frontier [default: all]")
       ->delimiter(',')
       ->type_name("LIST");
   command.add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")

@@ -107,6 +107,9 @@ double rebound_with_adams_bashforth(int order, bool follows, Flight flight, doub
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> all = {
       {"builtin", "multisphere", 0, false},
+      {"ab1", "multisphere/ab order 1 events no", 1, false},
+      {"ab2", "multisphere/ab order 2 events no", 2, false},
+      {"ab2e", "multisphere/ab order 2 events yes", 2, true},
       {"ab3", "multisphere/ab order 3 events no", 3, false},
       {"ab3e", "multisphere/ab order 3 events yes", 3, true},
       {"ab4e", "multisphere/ab order 4 events yes", 4, true}};

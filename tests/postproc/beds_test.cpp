@@ -194,11 +194,11 @@ TEST(Beds, ComparisonsCanBeChosen) {
 
 TEST(Beds, ComparisonsVaryOneThing) {
   const auto all = bed_comparisons({"builtin", "ab3"});
-  ASSERT_EQ(all.size(), 6u);
+  ASSERT_EQ(all.size(), 7u);
   for (const auto& comparison : all) {
     bool has_paper = false;
     for (const auto& model : comparison.models) {
-      has_paper = has_paper || model == BedModel();
+      has_paper = has_paper || model == paper_model(comparison.by_engine());
       EXPECT_NO_THROW(accuracy_method(model.method));
       EXPECT_FALSE(model.method == "builtin" && model.planar);
       const bool scaled = comparison.name == "stiffness" && model.step != paper_step;
@@ -211,6 +211,32 @@ TEST(Beds, ComparisonsVaryOneThing) {
     EXPECT_EQ(has_paper, comparison.name.rfind("step_", 0) != 0) << comparison.name;
   }
   for (const auto& model : all[4].models) EXPECT_EQ(model.method, "builtin");
+}
+
+TEST(Beds, FrontierIsByTheEngineAndHeldAgainstHalfThePapersStep) {
+  const auto frontier = bed_comparisons({}, {"frontier"}).front();
+  EXPECT_TRUE(frontier.by_engine());
+  EXPECT_FALSE(bed_comparisons({}, {"engine"}).front().by_engine());
+  BedModel finest = paper_model(true);
+  finest.step = 0.5 * paper_step;
+  EXPECT_TRUE(frontier.models.back() == finest);
+}
+
+// A step of the paper's model takes 5e-5 s by the engine and ten times that without: twice its step
+// by the engine costs half of the former.
+TEST(Beds, FrontierCostsAreRelativeToThePapersModelByTheEngine) {
+  AccuracySettings settings;
+  settings.bed_comparisons = {"frontier"};
+  BedModel twice = paper_model(true);
+  twice.step = 2 * paper_step;
+  std::vector<BedRow> rows;
+  for (const BedModel& model : {paper_model(false), paper_model(true), twice})
+    for (int seed = 1; seed <= 2; ++seed) rows.push_back(bed(model, seed));
+  rows[0].seconds_per_step = rows[1].seconds_per_step = 5e-4;
+  const std::string section = beds_section(rows, settings);
+  EXPECT_THAT(section, HasSubstr("### What is the cheapest way to a bed at rest?"));
+  EXPECT_THAT(section, testing::ContainsRegex("ab3e engine \\| 22 [^\n]* \\| 0\\.5 \\|"));
+  EXPECT_THAT(section, testing::ContainsRegex("ab3e engine \\| 11 [^\n]* \\| 1 \\|"));
 }
 
 TEST(Beds, RowsComeBackFromTheirText) {
@@ -374,7 +400,7 @@ TEST(Beds, FiguresAreDrawn) {
   AccuracySettings settings;
   settings.bed_methods = {"ab3", "ab3e"};
   draw_beds(rows, settings, folder.string());
-  for (const char* name : {"beds_step", "beds_surface", "beds_stiffness"})
+  for (const char* name : {"beds_step", "beds_surface", "beds_stiffness", "beds_frontier"})
     for (const char* suffix : {".png", ".svg"})
       EXPECT_GT(fs::file_size(folder / (std::string(name) + suffix)), 5000u) << name << suffix;
 }

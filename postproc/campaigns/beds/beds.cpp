@@ -51,12 +51,42 @@ bool BedModel::operator==(const BedModel& other) const {
          close(stiffness, other.stiffness);
 }
 
+BedModel paper_model(bool engine) {
+  BedModel model;
+  model.engine = engine;
+  return model;
+}
+
+bool BedComparison::by_engine() const {
+  return std::all_of(models.begin(), models.end(), [](const BedModel& m) { return m.engine; });
+}
+
 bool BedRow::at_rest(int expected_rods) const {
   return rods == expected_rods && kinetic <= 1e-5 * elastic &&
          std::fabs(carried_weight - 1) <= 0.01;
 }
 
 namespace {
+
+/// Cheap methods at long steps, all by the engine, down to the paper's at half its step.
+BedComparison frontier() {
+  BedComparison frontier{"frontier", "What is the cheapest way to a bed at rest?", {}};
+  const std::pair<const char*, std::vector<double>> methods[] = {
+      {"ab1", {8, 6, 5, 4, 3, 2, 1}},
+      {"ab2", {5, 4, 3, 2, 1}},
+      {"ab2e", {3, 2.5, 2, 1.5, 1}},
+      {"ab3", {2.5, 2, 1}},
+      {"ab3e", {3, 2.5, 2, 1.5, 1, 0.5}}};  // over the paper's step
+  for (const auto& [method, factors] : methods)
+    for (const double factor : factors) {
+      BedModel model;
+      model.method = method;
+      model.step = factor * paper_step;
+      model.engine = true;
+      frontier.models.push_back(model);
+    }
+  return frontier;
+}
 
 std::vector<BedComparison> all_comparisons(const std::vector<std::string>& methods) {
   const BedModel paper;
@@ -107,6 +137,7 @@ std::vector<BedComparison> all_comparisons(const std::vector<std::string>& metho
     }
     all.push_back(step);
   }
+  all.push_back(frontier());
   return all;
 }
 

@@ -25,6 +25,8 @@ struct BedModel {
 
   bool operator==(const BedModel& other) const;
 };
+/// The paper's model, by the engine or not; costs are relative to its.
+BedModel paper_model(bool engine);
 
 /// A bed at the end of its run. Means are over what is in the container.
 struct BedRow {
@@ -56,9 +58,10 @@ struct BedComparison {
   std::string name;      // of the figure and the heading
   std::string question;  // what the table answers
   std::vector<BedModel> models;
+  bool by_engine() const;  // all of them
 };
-/// Lists the comparisons surface, planar, engine, stiffness and a `step_METHOD` for each of
-/// `methods`; those of `only`, if it names any. @throws DataError for a name that is none.
+/// Lists the comparisons surface, planar, engine, stiffness, a `step_METHOD` for each of `methods`,
+/// and frontier; those of `only`, if it names any. @throws DataError for a name that is none.
 std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
                                            const std::vector<std::string>& only = {});
 
@@ -136,8 +139,8 @@ std::string beds_section(const std::vector<BedRow>& rows, const AccuracySettings
 std::string bed_guide(const std::vector<BedRow>& rows, const std::vector<std::string>& methods,
                       int rods);
 
-/// Draws the figures of the settings' comparisons: beds_step, beds_surface and beds_stiffness, .png
-/// and .svg, in `folder`.
+/// Draws the figures of the settings' comparisons: beds_step, beds_surface, beds_stiffness and
+/// beds_frontier, .png and .svg, in `folder`.
 void draw_beds(const std::vector<BedRow>& rows, const AccuracySettings& settings,
                const std::string& folder);
 

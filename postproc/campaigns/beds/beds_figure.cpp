@@ -141,15 +141,43 @@ double elastic_in_microjoule(const BedRow& row) { return 1e6 * row.elastic; }
 double neighbours(const BedRow& row) { return row.neighbours; }
 double overlap_in_percent(const BedRow& row) { return 100 * row.overlap; }
 
+/// The quantities that are compared, each a panel.
+std::vector<Panel> quantity_panels() {
+  return {{"solid fraction {/:Italic φ}", {}},
+          {"order {/:Italic S}_2", {}},
+          {"elastic energy (µJ)", {}},
+          {"neighbours per rod", {}}};
+}
+
+/// Results against cost: a curve for each method, along its steps.
+void draw_frontier(const std::vector<BedRow>& rows, const BedComparison& comparison, int rods,
+                   const std::string& folder) {
+  const double base = bed_cost(rows, paper_model(comparison.by_engine()));
+  if (!(base > 0)) return;
+  const auto x = [&](const BedModel& model) { return bed_cost(rows, model) / base; };
+  const int points[] = {5, 7, 9, 11, 13};
+  std::vector<std::string> methods;
+  for (const auto& model : comparison.models)
+    if (methods.empty() || methods.back() != model.method) methods.push_back(model.method);
+  std::vector<Panel> panels = quantity_panels();
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    std::vector<BedModel> models;
+    for (const auto& model : comparison.models)
+      if (model.method == methods[m]) models.push_back(model);
+    for (std::size_t q = 0; q < panels.size(); ++q)
+      panels[q].curves.push_back(named(curve(rows, models, rods, x, bed_quantities()[q].value),
+                                       methods[m], accuracy_colour(methods[m]), points[m % 5]));
+  }
+  draw_panels(folder + "/beds_frontier", "cost of a simulated second over that of ab3e at 11 µs",
+              "set logscale x 2\nset xrange [*:*]\n", panels);
+}
+
 void draw_steps(const std::vector<BedRow>& rows, const std::vector<BedComparison>& comparisons,
                 int rods, const std::string& folder) {
   const std::string colours[] = {"#7F7F7F", colour::blue, colour::vermilion, "#009E73",
                                  "#E69F00", "#56B4E9",    "#CC79A7",         "#F0E442"};
   const int points[] = {5, 7, 9, 11, 13, 4, 6, 8};
-  std::vector<Panel> panels = {{"solid fraction {/:Italic φ}", {}},
-                               {"order {/:Italic S}_2", {}},
-                               {"elastic energy (µJ)", {}},
-                               {"neighbours per rod", {}}};
+  std::vector<Panel> panels = quantity_panels();
   std::size_t look = 0;
   for (const auto& comparison : comparisons) {
     if (comparison.name.rfind("step_", 0) != 0) continue;
@@ -228,6 +256,7 @@ void draw_beds(const std::vector<BedRow>& rows, const AccuracySettings& settings
   for (const auto& comparison : comparisons) {
     if (comparison.name == "surface") draw_surface(rows, comparison.models, rods, folder);
     if (comparison.name == "stiffness") draw_stiffness(rows, comparison.models, rods, folder);
+    if (comparison.name == "frontier") draw_frontier(rows, comparison, rods, folder);
   }
   const bool steps = std::any_of(
       comparisons.begin(), comparisons.end(),
