@@ -131,7 +131,7 @@ void add_accuracy(CLI::App& app) {
       "Example:\n"
       "  rodpack accuracy results/accuracy --methods builtin,ab3\n"
       "writes accuracy.csv, accuracy.md and two figures per scene, .png/.svg; beds (which model a "
-      "settled bed needs): beds.csv and three figures.");
+      "settled bed needs): beds.csv and four figures.");
   add_places(*command, *options);
   auto* scenes = command
                      ->add_option("--scenes", settings.scenes,

@@ -78,7 +78,7 @@ void draw_panels(const std::string& stem, const std::string& x_label, const std:
   }
   draw_figure(stem, 1.35,
               blocks +
-                  "set multiplot layout 2,2 margins 0.135,0.985,0.14,0.925 spacing 0.165,0.17\n"
+                  "set multiplot layout 2,2 margins 0.15,0.985,0.14,0.925 spacing 0.18,0.17\n"
                   "set grid xtics ytics linecolor '#DDDDDD'\nset xlabel '" +
                   x_label + "' offset 0,0.3\n" + settings + "set key off\n" +
                   titles(panels.front().curves) + plots + "unset multiplot\n");
@@ -168,7 +168,7 @@ void draw_frontier(const std::vector<BedRow>& rows, const BedComparison& compari
       panels[q].curves.push_back(named(curve(rows, models, rods, x, bed_quantities()[q].value),
                                        methods[m], accuracy_colour(methods[m]), points[m % 5]));
   }
-  draw_panels(folder + "/beds_frontier", "cost of a simulated second over that of ab3e at 11 µs",
+  draw_panels(folder + "/beds_frontier", "cost (1: ab3e at 11 µs)",
               "set logscale x 2\nset xrange [*:*]\n", panels);
 }
 

@@ -50,6 +50,10 @@ std::string ratio(double cost, double base) {
   return base > 0 && cost > 0 ? number_text(cost / base, 2) : "–";
 }
 
+std::string seconds_text(double cost) {
+  return cost > 0 ? ", " + number_text(cost, 2) + " s per s" : "";
+}
+
 std::string difference_text(const BedSummary& summary, bool reference) {
   if (reference) return "reference";
   if (summary.worst_of.empty()) return "–";
@@ -219,10 +223,10 @@ std::string beds_section(const RowList& rows, const AccuracySettings& settings) 
       "seed: "
       "the start makes much of the scatter, so that differences are known better than means.\n"
       "- cost: processor time per simulated second, median over the seeds, over that of the "
-      "paper's model (ab3e planar, 11 µs, 9 spheres, 2000 N/m: " +
-      number_text(bed_cost(rows, {}), 2) +
-      " s per s); of comparisons by the engine alone, over its by the engine (" +
-      number_text(bed_cost(rows, paper_model(true)), 2) + " s per s).\n";
+      "paper's model (ab3e planar, 11 µs, 9 spheres, 2000 N/m)" +
+      seconds_text(bed_cost(rows, paper_model(false))) +
+      "; where all models are the engine's, over that by the engine" +
+      seconds_text(bed_cost(rows, paper_model(true))) + ".\n";
   for (const auto& comparison : bed_comparisons(settings.bed_methods, settings.bed_comparisons))
     section += comparison_table(rows, comparison, scene.rods());
   if (!settings.bed_comparisons.empty()) return section;
