@@ -85,6 +85,11 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
     } catch (const TooFewParticles& reason) {
       summary["notes"].push_back(reason.what());
     }
+  try {
+    report_bond_order(bodies, packing, summary);
+  } catch (const DataError& reason) {  // particles that are no chains, too
+    summary["notes"].push_back(reason.what());
+  }
   options.particle_diameter = packing.particle_diameter;
   report_contacts(contacts, options, out, summary);
   const bool stressed = contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep;

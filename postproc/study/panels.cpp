@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "figures/edges/shading.h"
 #include "figures/figure.h"
 #include "reading/number_text.h"
 
@@ -194,6 +195,26 @@ std::string y_axis(const Panel& panel, const Range& data) {
          number_text(data.high) + "\n";
 }
 
+// Grey where the averages of a series are disturbed, and marks at the surfaces.
+std::string edges_of(const PanelSheet& sheet, const Panel& panel) {
+  double from = sheet.x_low, to = sheet.x_high;
+  std::string marks;
+  for (const auto& series : panel.series) {
+    if (series.x.empty()) continue;
+    if (series.undisturbed) {
+      from = std::max(from, (*series.undisturbed)[0]);
+      to = std::min(to, (*series.undisturbed)[1]);
+    }
+    if (series.surface)
+      marks += "set arrow from first " + number_text(*series.surface) + ", graph 0 to first " +
+               number_text(*series.surface) +
+               ", graph 0.16 nohead back linewidth 1.4 dashtype 3 linecolor '" + series.colour +
+               "'\n";
+  }
+  if (from >= to) return grey_strip('x', sheet.x_low, sheet.x_high) + marks;
+  return grey_strip('x', sheet.x_low, from) + grey_strip('x', to, sheet.x_high) + marks;
+}
+
 // Frame, axes and texts of the panel at `place`, of `count` ones.
 std::string axes_of(const PanelSheet& sheet, const Panel& panel, const Layout& layout, int place,
                     int count, const Range& shared) {
@@ -228,9 +249,19 @@ std::string axes_of(const PanelSheet& sheet, const Panel& panel, const Layout& l
 
 Series series_of(const EnsembleCurve& curve, double factor) {
   Series series;
+  bool gap = false;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const auto& value = curve.y[k];
-    if (value.n == 0 || !std::isfinite(value.mean)) continue;
+    if (value.n == 0 || !std::isfinite(value.mean)) {
+      gap = !series.x.empty();
+      continue;
+    }
+    if (gap) {  // no line across it
+      series.x.push_back(curve.x[k - 1]);
+      series.y.push_back(std::numeric_limits<double>::quiet_NaN());
+      series.sem.push_back(0);
+      gap = false;
+    }
     series.x.push_back(curve.x[k]);
     series.y.push_back(factor * value.mean);
     series.sem.push_back(factor * value.sem.value_or(0));
@@ -280,9 +311,10 @@ bool draw_panels(const PanelSheet& sheet, const std::string& stem) {
       blocks += datablock(name, {series.x, series.y, series.sem});
       parts += ", " + plot_of(series, "$" + name, sheet.errors);
     }
-    plots += axes_of(sheet, *panels[p], layout, static_cast<int>(p),
+    plots += edges_of(sheet, *panels[p]) +
+             axes_of(sheet, *panels[p], layout, static_cast<int>(p),
                      static_cast<int>(panels.size()), shared) +
-             "plot " + parts.substr(2) + "\nunset label\n";
+             "plot " + parts.substr(2) + "\nunset label\nunset object\nunset arrow\n";
   }
   const std::string tics = sheet.x_tics.empty() ? "" : "set xtics " + sheet.x_tics + "\n";
   draw_figure(stem, layout.width() / layout.height(),
