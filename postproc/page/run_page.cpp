@@ -12,6 +12,7 @@
 #include "reading/data_error.h"
 #include "reading/text_file.h"
 #include "reading/json_file.h"
+#include "report/scene.h"
 
 namespace rodpack {
 namespace {
@@ -51,7 +52,8 @@ const std::vector<FigureText>& run_figures() {
 Json results_of(const Json& summary) {
   Json results;
   for (const auto& [key, value] : summary.items())
-    if (key != "format" && key != "timestep" && !value.is_structured()) results[key] = value;
+    if (key != "format" && key != "timestep" && key != "scene" && !value.is_structured())
+      results[key] = value;
   return results;
 }
 
@@ -69,6 +71,7 @@ std::string made_by(const Json& values) {
 }
 
 std::string lead_of(const fs::path& run, const Json& summary, const Json& parameters) {
+  const auto scene = scene_unlike_the_papers(nlohmann::json(parameters));
   std::string text = number_html(summary.value("particles", 0.0), 12) + " " +
                      escaped(particles_in_words(parameters));
   if (parameters.contains("seed")) text += ", seed " + escaped(parameters["seed"].dump());
@@ -76,7 +79,8 @@ std::string lead_of(const fs::path& run, const Json& summary, const Json& parame
   if (summary.contains("time_s"))
     text += " (" + number_html(summary["time_s"].get<double>(), 4) + " s)";
   return text + ". Run folder <code>" + escaped(run.filename().string()) +
-         "</code>, simulated by " + made_by(parameters) + ", analysed by " + made_by(summary) + ".";
+         "</code>, simulated by " + made_by(parameters) + ", analysed by " + made_by(summary) +
+         "." + (scene.empty() ? "" : " <b>" + escaped(scene) + "</b>");
 }
 
 }  // namespace

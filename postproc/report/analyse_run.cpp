@@ -13,6 +13,7 @@
 #include "reading/parameters.h"
 #include "reading/run_folder.h"
 #include "report/measures.h"
+#include "report/scene.h"
 
 namespace rodpack {
 namespace {
@@ -78,6 +79,8 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
   if (dt > 0) summary["time_s"] = static_cast<double>(packing.timestep) * dt;
   summary["particles"] = packing.size();
   summary["bed_height_m"] = packing.surface - packing.walls.floor;
+  if (const auto scene = scene_unlike_the_papers(parameters.values); !scene.empty())
+    summary["scene"] = scene;
   summary["notes"] = Json::array();
   using Report = void (*)(const Packing&, const fs::path&, Json&);
   for (const Report report : {report_orientation, report_rdf, report_solid_fraction}) try {

@@ -187,7 +187,7 @@ std::string y_axis(const Panel& panel, const Range& data) {
     return std::any_of(panel.names.begin(), panel.names.end(),
                        [&](const PlaceName& name) { return name.top == at_top; });
   };
-  const double strip = 0.22 * (data.high - data.low);
+  const double strip = 0.24 * (data.high - data.low);
   const double step = tic_step(data);
   return "set yrange [" + number_text(data.low - (any(false) ? strip : 0)) + ":" +
          number_text(data.high + (any(true) ? strip : 0)) + "]\nset ytics " +
@@ -215,6 +215,28 @@ std::string edges_of(const PanelSheet& sheet, const Panel& panel) {
   return grey_strip('x', sheet.x_low, from) + grey_strip('x', to, sheet.x_high) + marks;
 }
 
+// Names in the strips, clear of the tics, those beside their place with a line to it.
+std::string names_of(const Panel& panel, const Layout& layout) {
+  const double letter = 1 / layout.panel_height;
+  // From the edge: tics, four letters of 0.7 the size on their side, the line.
+  const double begin = 0.9 * letter, end = begin + 1.9 * letter, tip = end + 0.6 * letter;
+  std::string text;
+  int number = 4;
+  for (const auto& name : panel.names) {
+    const auto level = [&](double from_edge) {
+      return ",graph " + number_text(name.top ? 1 - from_edge : from_edge, 6);
+    };
+    text += "set label " + std::to_string(number++) + " '{/*0.7 " + name.text + "}' at first " +
+            number_text(name.x) + level(begin) + (name.top ? " right" : " left") +
+            " rotate by 90 front textcolor '" + name.colour + "'\n";
+    if (name.x != name.of)  // an upright line would be read as a minus sign
+      text += "set arrow from first " + number_text(name.x) + level(end) + " to first " +
+              number_text(name.of) + level(tip) + " nohead front linewidth 0.6 linecolor '" +
+              name.colour + "'\n";
+  }
+  return text;
+}
+
 // Frame, axes and texts of the panel at `place`, of `count` ones.
 std::string axes_of(const PanelSheet& sheet, const Panel& panel, const Layout& layout, int place,
                     int count, const Range& shared) {
@@ -237,12 +259,7 @@ std::string axes_of(const PanelSheet& sheet, const Panel& panel, const Layout& l
                      "set format x '" + (lowest ? "%g" : "") + "'\nset format y '" +
                      (column == 0 || sheet.own_y ? "%g" : "") + "'\nset label 3 '" + panel.title +
                      "' at graph " + titles[static_cast<int>(sheet.title_at)] + " front\n";
-  int number = 4;
-  for (const auto& name : panel.names)
-    text += "set label " + std::to_string(number++) + " '{/*0.7 " + name.text + "}' at first " +
-            number_text(name.x) + ",graph " + (name.top ? "0.985 right" : "0.015 left") +
-            " rotate by 90 front textcolor '" + name.colour + "'\n";
-  return text;
+  return text + names_of(panel, layout);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ Series series_of(const EnsembleCurve& curve, double factor = 1);
 
 /// A name of a place on the x axis, upright in a strip at the top or bottom of a panel.
 struct PlaceName {
-  double x = 0;
+  double x = 0;   // where it stands
+  double of = 0;  // the place; a line leads to it from beside
   bool top = true;
   std::string text;
   std::string colour;
