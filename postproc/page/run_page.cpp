@@ -20,19 +20,29 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 const std::vector<FigureText>& run_figures() {
+  static const std::string hatched =
+      "Hatched: nearer than 3ω to a wall or the surface (line), where the kernel averages over the "
+      "empty space beyond.";
   static const std::vector<FigureText> texts{
       {"packing", "The packing",
-       "Each sphere is shaded by the magnitude of the net contact force on it.", true},
+       "Each sphere is shaded by the magnitude of the net contact force on it; each particle has "
+       "one "
+       "outline.",
+       true},
       {"forces_chains", "Force chains",
        "A line for each touching pair, between the centres of mass, for the sum of its contacts; "
        "at "
        "a wall it ends in the mean contact point.",
        true},
-      {"solid_fraction_map", "Solid fraction, coarse-grained with ω", "", false},
-      {"pressure_map", "Pressure and its principal directions, coarse-grained with ω", "", false},
-      {"solid_fraction", "Solid fraction over height in the central slice", "", false},
+      {"solid_fraction_map", "Solid fraction, coarse-grained with ω", hatched, false},
+      {"pressure_map", "Pressure and its principal directions, coarse-grained with ω", hatched,
+       false},
+      {"solid_fraction", "Solid fraction over height in the central slice",
+       "Grey: as hatched above. The dashed line is the area that the particles cover below the "
+       "surface over that of the bed, walls included.",
+       false},
       {"profile", "Pressure <i>P</i><sub>0</sub> over depth below the surface in the central slice",
-       "", false},
+       "Grey: as hatched above.", false},
       {"orientation", "Distribution of the angle γ between long axis and horizontal",
        "Particles closer than AR <i>d</i><sub>p</sub> to a wall are left out.", false},
       {"orientation_polar", "The same as a rose", "", false},
