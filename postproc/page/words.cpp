@@ -31,7 +31,9 @@ const std::map<std::string, std::string>& result_labels() {
   static const std::map<std::string, std::string> all{
       {"solid_fraction", "solid fraction φ"},
       {"solid_fraction_from_3_omega_above_floor_to_surface",
-       "solid fraction φ, central slice, from 3ω above the floor to the surface"},
+       "solid fraction φ, central slice, from 3ω above the floor to the surface (the kernel "
+       "averages "
+       "over the empty space above it)"},
       {"solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
        "solid fraction φ, central slice, from 3ω above the floor to 3ω below the surface"},
       {"solid_fraction_to_3_omega_below_surface", "solid fraction φ up to 3ω below the surface"},
