@@ -34,7 +34,9 @@ Edges edges_of(const MappedBed& bed, const Rectangle& map) {
     // The key's sample, on a ground on which white lines show.
     edges.plots = ", " + hatched("disturbed") +
                   ", keyentry with boxes fillstyle pattern 4 border linecolor '" + colour::grey +
-                  "' title '" + shade_title(bed.reach_name) + "'";
+                  "' title '" +
+                  shade_title(bed.reach / bed.scale, bed.normalisation == Normalisation::walls) +
+                  "'";
   }
   const double surface = (packing.surface - packing.walls.floor) / d;
   if (surface > map.bottom && surface < map.top) {
@@ -87,9 +89,7 @@ std::string palette_command() {
 
 MappedBed mapped_bed(const FieldSample& sample, const Packing& packing) {
   const auto& kernel = sample.averages().kernel();
-  const double reach = kernel_reach(kernel);
-  return {packing, reach, sample.normalisation(),
-          number_text(reach / kernel.scale(), 3) + "{/:Italic ω}"};
+  return {packing, kernel.scale(), kernel_reach(kernel), sample.normalisation()};
 }
 
 void plot_solid_fraction_map(const CoarseGraining& averages, const std::vector<Field>& fields,

@@ -15,9 +15,8 @@ std::string palette_command();
 /// surface is hatched, unless the densities are normalised by the kernel's share there.
 struct MappedBed {
   const Packing& packing;  // gives d_p and the origin
-  double reach;            // of the kernel, m
+  double scale, reach;     // of the kernel, m
   Normalisation normalisation;
-  std::string reach_name;  // in w, as gnuplot writes it
 };
 MappedBed mapped_bed(const FieldSample& sample, const Packing& packing);
 

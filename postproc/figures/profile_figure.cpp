@@ -49,7 +49,10 @@ void plot_profile(const PressureProfile& profile, const JanssenFit* fit, const s
           colour::vermilion +
           "' title '{/:Italic σ}_{yy}', $p using 1:4 with lines linewidth 1.2 linecolor '" +
           colour::grey + "' title '{/:Italic σ}_{xx}'" + law +
-          (grey.empty() ? "" : ", " + grey_key()) + "\n");
+          (grey.empty()
+               ? ""
+               : ", " + grey_key(profile.reach / profile.scale, profile.walls_divided_out)) +
+          "\n");
 }
 
 }  // namespace rodpack

@@ -39,7 +39,7 @@ void plot_solid_fraction(const SolidFraction& field, double particle_diameter, d
           "linewidth 1.2 linecolor '" +
           colour::grey + "' title 'area of the particles / of the bed: " + number_text(covered, 3) +
           "', " + "$surface using 1:2 with lines " + surface_look() + " title 'surface', " +
-          grey_key() + "\n");
+          grey_key(3, false) + "\n");
 }
 
 }  // namespace rodpack

@@ -9,8 +9,9 @@ namespace {
 const std::string grey = "#E6E6E6";
 }
 
-std::string shade_title(const std::string& reach) {
-  return "within " + reach + " of wall or surface";
+std::string shade_title(double reach, bool surface_alone) {
+  return "within " + number_text(reach, 3) + "{/:Italic ω} of " +
+         (surface_alone ? "the surface" : "wall or surface");
 }
 
 std::string hatch_block(const std::string& name, const std::vector<Rectangle>& parts) {
@@ -39,9 +40,9 @@ std::string grey_strip(char axis, double from, double to) {
          " behind fillstyle solid noborder fillcolor '" + grey + "'\n";
 }
 
-std::string grey_key() {
+std::string grey_key(double reach, bool surface_alone) {
   return "keyentry with boxes fillstyle solid noborder fillcolor '" + grey + "' title '" +
-         shade_title() + "'";
+         shade_title(reach, surface_alone) + "'";
 }
 
 std::string surface_look() {

@@ -12,8 +12,9 @@ namespace rodpack {
 // How figures show where averages are not those of the bed alone, and where its surface is; for
 // the rooms that draw fields: this one and study.
 
-/// What the key says of it, as gnuplot writes it. `reach`: "3{/:Italic ω}".
-std::string shade_title(const std::string& reach = "3{/:Italic ω}");
+/// What the key says of it, as gnuplot writes it. `reach`: of the kernel, in w; `surface_alone`:
+/// the walls are divided out.
+std::string shade_title(double reach, bool surface_alone);
 
 /// Returns the datablock `$name` of these rectangles, in units of the axes, for hatched().
 std::string hatch_block(const std::string& name, const std::vector<Rectangle>& parts);
@@ -23,8 +24,8 @@ std::string hatched(const std::string& name);
 /// Returns gnuplot's command for a grey strip behind a curve, over the whole of the other axis;
 /// `axis`: that of `from` and `to`, 'x' or 'y'. Nothing when to <= from.
 std::string grey_strip(char axis, double from, double to);
-/// Returns a plot's part that explains the strips in the key.
-std::string grey_key();
+/// Returns a plot's part that explains the strips in the key, as shade_title().
+std::string grey_key(double reach, bool surface_alone);
 
 /// Colour and width of the line at the bed's surface.
 std::string surface_look();

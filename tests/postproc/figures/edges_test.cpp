@@ -172,6 +172,8 @@ TEST(FieldMap, NamesSurfaceAndWhatIsDisturbedUnlessTheShareIsDividedOut) {
   EXPECT_THAT(plain, HasSubstr("of wall or surface"));
   EXPECT_THAT(plain, HasSubstr(">surface<"));
   FieldOptions shares;
+  shares.normalisation = Normalisation::walls;
+  EXPECT_THAT(svg_of(shares), HasSubstr("of the surface"));
   shares.normalisation = Normalisation::walls_and_surface;
   EXPECT_THAT(svg_of(shares), Not(HasSubstr("of wall or surface")));
 }
