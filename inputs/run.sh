@@ -4,7 +4,8 @@
 #
 #   inputs/run.sh PRESET [-var NAME VALUE ...]
 #
-# PRESET    quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one)
+# PRESET    quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one);
+#           quick is narrower and lower, and orders otherwise: its numbers are not the paper's
 # -var …    handed to the deck, see inputs/README.md
 # OUT=…     run folder, default results/PRESET; a relative one starts at the root of the repository
 # RANKS=n   MPI ranks, default 1
@@ -80,3 +81,7 @@ echo "4/4 analysis and figures"
 build/bin/rodpack analyse "$out"
 echo "Figures:"
 find "$out/analysis" \( -name '*.png' -o -name '*.svg' \) | sort
+if [ "$preset" = quick ]; then
+  echo "quick is a first look, not the paper's scene: in so narrow and low a container particles order otherwise"
+  echo "(report.html and the lines above say how). The paper's bed: inputs/run.sh paper"
+fi

@@ -15,6 +15,25 @@ double folded(double value, double period) {
   const double rest = value - period * std::floor(value / period);
   return rest < period ? rest : 0;
 }
+
+// < exp(i fold gamma) >
+std::complex<double> mean_power(const std::vector<double>& gamma, int fold) {
+  if (gamma.empty()) throw TooFewParticles("no particle to take the order of directions of");
+  std::complex<double> sum = 0;
+  for (const double each : gamma) sum += std::polar(1.0, fold * each * degree);
+  return sum / static_cast<double>(gamma.size());
+}
+
+// Standard error of the mean of cos fold (gamma - director), directors in degrees.
+double cosine_error(const std::vector<double>& gamma, int fold, double director, double mean) {
+  const double n = static_cast<double>(gamma.size());
+  double variance = 0;
+  for (const double each : gamma) {
+    const double deviation = std::cos(fold * (each - director) * degree) - mean;
+    variance += deviation * deviation / n;
+  }
+  return std::sqrt(variance / n);
+}
 }  // namespace
 
 double gamma_degrees(double angle, bool curved) {
@@ -22,18 +41,14 @@ double gamma_degrees(double angle, bool curved) {
 }
 
 NematicOrder nematic_order(const std::vector<double>& gamma) {
-  if (gamma.empty()) throw TooFewParticles("no particle to take the nematic order of");
-  std::complex<double> sum = 0;
-  for (const double each : gamma) sum += std::polar(1.0, 2 * each * degree);
-  const double n = static_cast<double>(gamma.size());
-  const double order = std::abs(sum) / n;
-  const double director = std::arg(sum) / 2;
-  double variance = 0;
-  for (const double each : gamma) {
-    const double deviation = std::cos(2 * (each * degree - director)) - order;
-    variance += deviation * deviation / n;
-  }
-  return {order, std::sqrt(variance / n), folded(director / degree, 180)};
+  const auto mean = mean_power(gamma, 2);
+  const double director = std::arg(mean) / 2 / degree;
+  return {std::abs(mean), cosine_error(gamma, 2, director, std::abs(mean)), folded(director, 180)};
+}
+
+SixfoldOrder sixfold_order(const std::vector<double>& gamma) {
+  const auto mean = mean_power(gamma, 6);
+  return {std::abs(mean), mean.real(), cosine_error(gamma, 6, 0, mean.real())};
 }
 
 void OrientationSample::add(const Packing& packing) {
@@ -73,6 +88,7 @@ OrientationDistribution OrientationSample::distribution(std::optional<int> bins)
   result.near_walls = near_walls_;
   result.spheres = spheres_;
   result.nematic = nematic_order(gamma_);
+  result.sixfold = sixfold_order(gamma_);
 
   const auto number = static_cast<std::size_t>(bins.value_or(result.curved ? 72 : 36));
   const double width = result.range / static_cast<double>(number);

@@ -24,6 +24,15 @@ struct NematicOrder {
 /// Measures it. `gamma`: degrees, one per particle. @throws TooFewParticles when there is none.
 NematicOrder nematic_order(const std::vector<double>& gamma);
 
+/// Sixfold order of directions, which S2 does not see: particles at 0, 60 and 120 degrees.
+struct SixfoldOrder {
+  double order;           // S6 = |< exp(6 i gamma) >|; of n random directions 1 / sqrt(n), rms
+  double mean_cosine;     // < cos 6 gamma >: S6 at 0, 60, 120 degrees, -S6 at 30, 90, 150
+  double standard_error;  // of the mean cosine, particles taken as independent
+};
+/// Measures it, as nematic_order().
+SixfoldOrder sixfold_order(const std::vector<double>& gamma);
+
 /// Distribution of gamma over bins of equal width, centred on its multiples: 0, 5, 10 ... degrees.
 /// The first one goes half a width over either end of the range, which are one direction.
 struct OrientationDistribution {
@@ -37,6 +46,7 @@ struct OrientationDistribution {
   std::size_t near_walls = 0;          // left out: closer than AR d_p to a side wall or the floor
   std::size_t spheres = 0;             // left out: no axis
   NematicOrder nematic{};
+  SixfoldOrder sixfold{};
 };
 
 /// Collects particles over one or several frames.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/edges/undisturbed.h"
 #include "reading/csv_file.h"
 #include "rodpack/averaging/kernel_share.h"
 
@@ -55,6 +56,10 @@ PressureProfile ProfileSample::result() const {
   profile.particle_diameter = packing_.particle_diameter;
   profile.scale = averages_->kernel().scale();
   profile.depth_of_floor = packing_.surface - packing_.walls.floor;
+  profile.reach = kernel_reach(averages_->kernel());
+  profile.walls_divided_out = options_.normalisation == Normalisation::walls;
+  const auto heights = undisturbed_heights(packing_, profile.reach, options_.normalisation);
+  profile.undisturbed = {packing_.surface - heights[1], packing_.surface - heights[0]};
   for (std::size_t row = rows; row-- > 0;)
     profile.depth.push_back(packing_.surface - grid.place(row * slice_columns)[1]);
   const auto& stress = field_named(fields, "contact_stress").values;

@@ -2,6 +2,7 @@
 #ifndef RODPACK_ANALYSIS_PRESSURE_PROFILE_H
 #define RODPACK_ANALYSIS_PRESSURE_PROFILE_H
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,9 +15,14 @@ namespace rodpack {
 /// Contact stress in the central vertical slice, 2 AR d_p wide (postproc/README.md, Definitions),
 /// one entry per depth, from the surface down to the floor; means over the slice's width.
 struct PressureProfile {
-  double particle_diameter = 0;            // d_p, m
-  double scale = 0;                        // w, m
-  double depth_of_floor = 0;               // m
+  double particle_diameter = 0;    // d_p, m
+  double scale = 0;                // w, m
+  double depth_of_floor = 0;       // m
+  double reach = 0;                // kernel_reach(), m
+  bool walls_divided_out = false;  // by the kernel's share between them
+  // Depths between which the averages hold nothing of the space beyond walls and surface, m; none
+  // when the second is not larger. Of a packing's own profile alone.
+  std::array<double, 2> undisturbed{};
   std::vector<double> depth;               // h below the surface of the bed, m
   std::vector<double> xx, xy, yx, yy;      // N/m
   std::vector<PrincipalStress> principal;  // of the mean stress

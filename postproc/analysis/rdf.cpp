@@ -217,6 +217,7 @@ Rdf RdfSample::result() const {
   rdf.margin = margin_;
   rdf.margin_reduced = margin_reduced_;
   rdf.pairs = pairs_;
+  rdf.expected = expected_;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     rdf.r.push_back((static_cast<double>(k) + 0.5) * options_.bin_width);
     const bool seen = expected_[k] > 0;

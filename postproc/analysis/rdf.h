@@ -22,6 +22,7 @@ struct Rdf {
   std::vector<double> g;               // 1: as in an ideal gas of the same density
   std::vector<double> standard_error;  // of g, see RdfSample
   std::vector<double> pairs;           // (centre, neighbour) pairs in the bin
+  std::vector<double> expected;        // those of an ideal gas; 0: no ring of the bin is in sight
   std::size_t centres = 0;             // particles in the analysis region, all frames
   double density = 0;                  // mean number per area in the analysis region, 1/m^2
   double margin = 0;                   // used, in d_p (the smallest over the frames)

@@ -5,15 +5,12 @@
 #include <cmath>
 
 #include "analysis/fields.h"
+#include "analysis/edges/undisturbed.h"
 #include "reading/csv_file.h"
 #include "rodpack/averaging/kernel_share.h"
 
 namespace rodpack {
 namespace {
-
-// Relative margin of comparisons of lengths: the paper's container leaves exactly 3 w beside its
-// slice, and lengths in parameters.json and dumps are rounded to six digits or more.
-constexpr double rounding = 1e-5;
 
 // Mean of f between two places by Simpson's rule, steps below `longest`.
 template <class Function>
@@ -60,7 +57,7 @@ SolidFraction solid_fraction(const Packing& packing) {
   field.scale = 3 * packing.axial_length();
   field.surface = packing.surface;
   field.lowest = walls.floor + (walls.bottom ? 3 * field.scale : 0);
-  field.side_distance_kept = !walls.sides || left - walls.left >= 3 * field.scale * (1 - rounding);
+  field.side_distance_kept = slice_is_undisturbed(packing, 3 * field.scale);
 
   // Share of each particle's area that the kernel puts into the slice's x range, per slice width.
   std::vector<double> share(packing.size());

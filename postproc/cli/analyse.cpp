@@ -38,6 +38,7 @@ void add_analyse(CLI::App& app) {
       if (value.is_number()) std::cout << key << ": " << value << '\n';
     for (const auto& note : summary["notes"])
       std::cout << "note: " << note.get<std::string>() << '\n';
+    if (summary.contains("scene")) std::cout << summary["scene"].get<std::string>() << '\n';
     const auto page = write_run_page(options->folder);
     std::cout << "written: " << options->folder << "/analysis, to look at: " << page << '\n';
   });

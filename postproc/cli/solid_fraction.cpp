@@ -34,7 +34,8 @@ void add_solid_fraction(CLI::App& app) {
                                     field_named(all.sample.fields(), "solid_fraction")};
     const auto& stem = options->stem;
     write_fields(all.sample.averages(), fields, all.time, stem);
-    plot_solid_fraction_map(all.sample.averages(), fields, all.packing, stem);
+    plot_solid_fraction_map(all.sample.averages(), fields, mapped_bed(all.sample, all.packing),
+                            stem);
     const auto slice = solid_fraction(all.packing);
     const auto mean = [](const std::optional<double>& value) {
       return value ? number_text(*value, 4) : std::string("none, the bed is too low");

@@ -33,7 +33,8 @@ void add_stress(CLI::App& app) {
     const auto fields = all.sample.fields();
     const auto& stem = options->stem;
     write_fields(all.sample.averages(), fields, all.time, stem);
-    plot_pressure_map(all.sample.averages(), fields, all.packing, stem + "_pressure");
+    plot_pressure_map(all.sample.averages(), fields, mapped_bed(all.sample, all.packing),
+                      stem + "_pressure");
     std::cout << all.report() << "written: " << stem << ".vti .csv, " << stem
               << "_pressure.png .svg\n";
   });

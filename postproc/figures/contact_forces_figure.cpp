@@ -17,17 +17,20 @@ void plot_distributions(const ContactForces& forces, const std::string& stem) {
     for (const double density : each->density)
       if (density > 0) lowest = std::min(lowest, density);
   const double bottom = lowest / 2;
-  // A logarithmic axis has no place for empty bins, nor for the lower end of a bar that reaches 0.
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  // A logarithmic axis has no place for empty bins, which part the line, nor for the lower end of a
+  // bar that reaches 0.
   const auto curve = [&](const std::string& name, const ForceDistribution& each) {
     std::vector<std::vector<double>> columns(4);
     for (std::size_t k = 0; k < each.density.size(); ++k) {
-      if (!(each.density[k] > 0)) continue;
       columns[0].push_back(forces.force_over_mean[k]);
-      columns[1].push_back(each.density[k]);
+      columns[1].push_back(each.density[k] > 0 ? each.density[k] : none);
       columns[2].push_back(std::max(each.density[k] - each.standard_error[k], bottom));
       columns[3].push_back(each.density[k] + each.standard_error[k]);
     }
-    return columns.front().empty() ? std::string() : datablock(name, columns);
+    const bool any = std::any_of(each.density.begin(), each.density.end(),
+                                 [](double density) { return density > 0; });
+    return any ? datablock(name, columns) : std::string();
   };
   const auto normal = curve("normal", forces.normal);
   const auto tangential = curve("tangential", forces.tangential);

@@ -4,18 +4,53 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/edges/undisturbed.h"
 #include "figures/figure.h"
 #include "figures/palette.h"
+#include "figures/edges/shading.h"
 #include "reading/angles.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
 namespace {
 
+// What a map shows beside its values: where the bed ends, and where the kernel reaches beyond it.
+struct Edges {
+  std::string blocks, plots;
+};
+
+Edges edges_of(const MappedBed& bed, const Rectangle& map) {
+  const auto& packing = bed.packing;
+  const double d = packing.particle_diameter;
+  const auto in_diameters = [&](const Rectangle& part) {
+    return Rectangle{(part.left - packing.walls.left) / d, (part.right - packing.walls.left) / d,
+                     (part.bottom - packing.walls.floor) / d, (part.top - packing.walls.floor) / d};
+  };
+  Edges edges;
+  const auto parts =
+      parts_outside(in_diameters(undisturbed_part(packing, bed.reach, bed.normalisation)), map);
+  if (!parts.empty()) {
+    edges.blocks = hatch_block("disturbed", parts);
+    // The key's sample, on a ground on which white lines show.
+    edges.plots = ", " + hatched("disturbed") +
+                  ", keyentry with boxes fillstyle pattern 4 border linecolor '" + colour::grey +
+                  "' title '" +
+                  shade_title(bed.reach / bed.scale, bed.normalisation == Normalisation::walls) +
+                  "'";
+  }
+  const double surface = (packing.surface - packing.walls.floor) / d;
+  if (surface > map.bottom && surface < map.top) {
+    edges.blocks += datablock("surface", {{map.left, map.right}, {surface, surface}});
+    edges.plots += ", $surface using 1:2 with lines " + surface_look() + " title 'surface'";
+  }
+  return edges;
+}
+
 // Draws a map of `values` over the grid, lengths in d_p; `over` is drawn on top of it.
-void plot_map(const Grid& grid, const std::vector<double>& values, double lowest,
-              const std::string& label, const Packing& packing, const std::string& blocks,
-              const std::string& over, const std::string& stem) {
+void plot_map(const Grid& grid, const std::vector<double>& values, const std::string& label,
+              const MappedBed& bed, const std::string& blocks, const std::string& over,
+              const std::string& stem) {
+  const auto& packing = bed.packing;
   const double d = packing.particle_diameter;
   std::vector<double> x, y;
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -25,19 +60,21 @@ void plot_map(const Grid& grid, const std::vector<double>& values, double lowest
   }
   const double half_x = 0.5 * grid.spacing[0] / d, half_y = 0.5 * grid.spacing[1] / d;
   const double width = x.back() - x.front(), height = y.back() - y.front();
-  // Room for the colour bar, the axes and their labels beside and below the map.
-  const double aspect = std::clamp(1.25 * width / height * 0.85, 0.5, 3.0);
+  const Rectangle map{x.front() - half_x, x.back() + half_x, y.front() - half_y, y.back() + half_y};
+  const auto edges = edges_of(bed, map);
+  // Room for the colour bar, the axes and their labels beside and below the map, the key above it.
+  const double aspect = std::clamp(1.25 * width / height * 0.78, 0.5, 2.6);
   draw_figure(stem, aspect,
-              datablock("map", {x, y, values}) + blocks + palette_command() +
+              datablock("map", {x, y, values}) + edges.blocks + blocks + palette_command() +
+                  "set key tmargin center horizontal\n"
                   "set size ratio -1\nset tics out nomirror\n"
                   "set xlabel '{/:Italic x} / {/:Italic d}_p'\n"
                   "set ylabel '{/:Italic y} / {/:Italic d}_p'\n"
                   "set cblabel '" +
-                  label + "'\nset cbrange [" + number_text(lowest) + ":*]\nset xrange [" +
-                  number_text(x.front() - half_x) + ":" + number_text(x.back() + half_x) +
-                  "]\nset yrange [" + number_text(y.front() - half_y) + ":" +
-                  number_text(y.back() + half_y) + "]\nplot $map using 1:2:3 with image" + over +
-                  "\n");
+                  label + "'\nset cbrange [0:*]\nset xrange [" + number_text(map.left) + ":" +
+                  number_text(map.right) + "]\nset yrange [" + number_text(map.bottom) + ":" +
+                  number_text(map.top) + "]\nplot $map using 1:2:3 with image" + edges.plots +
+                  over + "\n");
 }
 
 }  // namespace
@@ -50,14 +87,20 @@ std::string palette_command() {
   return text + ")\n";
 }
 
+MappedBed mapped_bed(const FieldSample& sample, const Packing& packing) {
+  const auto& kernel = sample.averages().kernel();
+  return {packing, kernel.scale(), kernel_reach(kernel), sample.normalisation()};
+}
+
 void plot_solid_fraction_map(const CoarseGraining& averages, const std::vector<Field>& fields,
-                             const Packing& packing, const std::string& stem) {
-  plot_map(*averages.grid(), field_named(fields, "solid_fraction").values[0], 0,
-           "solid fraction {/:Italic φ}", packing, "", "", stem);
+                             const MappedBed& bed, const std::string& stem) {
+  plot_map(*averages.grid(), field_named(fields, "solid_fraction").values[0],
+           "solid fraction {/:Italic φ}", bed, "", "", stem);
 }
 
 void plot_pressure_map(const CoarseGraining& averages, const std::vector<Field>& fields,
-                       const Packing& packing, const std::string& stem) {
+                       const MappedBed& bed, const std::string& stem) {
+  const auto& packing = bed.packing;
   const Grid& grid = *averages.grid();
   const auto& stress = field_named(fields, "contact_stress").values;
   const double d = packing.particle_diameter;
@@ -96,9 +139,11 @@ void plot_pressure_map(const CoarseGraining& averages, const std::vector<Field>&
         y.push_back((place[1] - packing.walls.floor) / d - dy.back() / 2);
       }
     }
-  plot_map(grid, pressure, 0, "pressure {/:Italic P}_0 (" + unit.name + ")", packing,
+  // White on a dark rim, so that they keep apart from the hatching.
+  const std::string crosses = ", $crosses using 1:2:3:4 with vectors nohead linewidth ";
+  plot_map(grid, pressure, "pressure {/:Italic P}_0 (" + unit.name + ")", bed,
            datablock("crosses", {x, y, dx, dy}),
-           ", $crosses using 1:2:3:4 with vectors nohead linewidth 1 linecolor '#ffffff'", stem);
+           crosses + "2.4 linecolor '#202020'" + crosses + "1 linecolor '#ffffff'", stem);
 }
 
 }  // namespace rodpack

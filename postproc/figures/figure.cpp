@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "figures/figure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -40,9 +41,15 @@ void keep_spaces(const std::string& svg) {
 
 std::string datablock(const std::string& name, const std::vector<std::vector<double>>& columns) {
   std::string text = "$" + name + " << EOD\n";
-  for (std::size_t row = 0; row < columns.front().size(); ++row)
+  for (std::size_t row = 0; row < columns.front().size(); ++row) {
+    if (std::any_of(columns.begin(), columns.end(),
+                    [row](const std::vector<double>& column) { return std::isnan(column[row]); })) {
+      text += '\n';
+      continue;
+    }
     for (std::size_t c = 0; c < columns.size(); ++c)
       text += number_text(columns[c][row]) + (c + 1 < columns.size() ? ' ' : '\n');
+  }
   return text + "EOD\n";
 }
 

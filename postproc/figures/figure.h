@@ -15,7 +15,8 @@ constexpr const char* vermilion = "#D55E00";
 constexpr const char* grey = "#7F7F7F";
 }  // namespace colour
 
-/// Writes a gnuplot datablock `$name << EOD ... EOD` of the given columns (equal length).
+/// Writes a gnuplot datablock `$name << EOD ... EOD` of the given columns (equal length). A row
+/// with a number that is none is an empty line, across which gnuplot draws no line.
 std::string datablock(const std::string& name, const std::vector<std::vector<double>>& columns);
 
 /// Draws `commands` with gnuplot into `stem`.png (1600 pixels wide) and `stem`.svg, both with

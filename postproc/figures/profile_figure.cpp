@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "figures/figure.h"
+#include "figures/edges/shading.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
@@ -26,20 +27,32 @@ void plot_profile(const PressureProfile& profile, const JanssenFit* fit, const s
           number_text(fit->pressure * unit.factor) + "*(1-exp(-x/" + number_text(fit->depth / d) +
           ")) with lines dashtype 2 linewidth 1.4 linecolor '#000000' title '" +
           (fit->saturates ? "Janssen" : "Janssen (not saturating)") + "'";
-  draw_figure(stem, 1.4,
-              datablock("p", {depth, pressure, vertical, horizontal}) +
-                  "set xlabel 'depth {/:Italic h} / {/:Italic d}_p'\n"
-                  "set ylabel 'stress (" +
-                  unit.name +
-                  ")'\n"
-                  "set key top left Left reverse\nset autoscale xfix\nset yrange [0:*]\n"
-                  "set samples 300\n"
-                  "plot $p using 1:2 with lines linewidth 1.8 linecolor '" +
-                  colour::blue +
-                  "' title '{/:Italic P}_0', $p using 1:3 with lines linewidth 1.2 linecolor '" +
-                  colour::vermilion +
-                  "' title '{/:Italic σ}_{yy}', $p using 1:4 with lines linewidth 1.2 linecolor '" +
-                  colour::grey + "' title '{/:Italic σ}_{xx}'" + law + "\n");
+  const double floor = profile.depth_of_floor / d;
+  const auto& [from, to] = profile.undisturbed;
+  const bool some = to > from;
+  const std::string grey = some ? grey_strip('x', 0, from / d) + grey_strip('x', to / d, floor)
+                                : grey_strip('x', 0, floor);
+  draw_figure(
+      stem, 1.4,
+      datablock("p", {depth, pressure, vertical, horizontal}) + grey +
+          "set xlabel 'depth below the surface, down to the floor, {/:Italic h} / {/:Italic d}_p'\n"
+          "set ylabel 'stress (" +
+          unit.name +
+          ")'\n"
+          "set key tmargin left horizontal maxcols 2 Left reverse\nset xrange [0:" +
+          number_text(floor) +
+          "]\nset yrange [0:*]\n"
+          "set samples 300\n"
+          "plot $p using 1:2 with lines linewidth 1.8 linecolor '" +
+          colour::blue +
+          "' title '{/:Italic P}_0', $p using 1:3 with lines linewidth 1.2 linecolor '" +
+          colour::vermilion +
+          "' title '{/:Italic σ}_{yy}', $p using 1:4 with lines linewidth 1.2 linecolor '" +
+          colour::grey + "' title '{/:Italic σ}_{xx}'" + law +
+          (grey.empty()
+               ? ""
+               : ", " + grey_key(profile.reach / profile.scale, profile.walls_divided_out)) +
+          "\n");
 }
 
 }  // namespace rodpack

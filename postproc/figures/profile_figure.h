@@ -9,7 +9,8 @@
 
 namespace rodpack {
 
-/// Draws P_0 over depth, with the fit unless it is null: `stem`.png and `stem`.svg. @throws
+/// Draws P_0 over the depth from surface to floor, with the fit unless it is null, depths at which
+/// the kernel reaches beyond the bed in grey: `stem`.png and `stem`.svg. @throws
 /// DataError when that fails.
 void plot_profile(const PressureProfile& profile, const JanssenFit* fit, const std::string& stem);
 

@@ -6,6 +6,7 @@
 
 #include "analysis/long_axis.h"
 #include "figures/drawing.h"
+#include "figures/packings/particles.h"
 #include "figures/palette.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
@@ -40,7 +41,6 @@ ColourScale sphere_force_scale(const Frame& spheres, SphereColour colour,
 }  // namespace
 
 void render_spheres(const Frame& spheres, const RenderOptions& options, const std::string& stem) {
-  const auto& x = spheres.column("x");
   const auto& y = spheres.column("y");
   const auto& radius = spheres.column("radius");
   if (spheres.rows == 0)
@@ -57,11 +57,7 @@ void render_spheres(const Frame& spheres, const RenderOptions& options, const st
       std::array<double, 4>{walls.left, walls.right, walls.floor, top + 0.5 * diameter});
   const double width = window[1] - window[0];
   const double height = window[3] - window[2];
-  std::vector<std::size_t> visible;
-  for (std::size_t i = 0; i < spheres.rows; ++i)
-    if (x[i] + radius[i] > window[0] && x[i] - radius[i] < window[1] &&
-        y[i] + radius[i] > window[2] && y[i] - radius[i] < window[3])
-      visible.push_back(i);
+  const auto visible = visible_spheres(spheres, window);
   if (visible.empty())
     throw DataError(spheres.file + ": no sphere lies in the window x " + number_text(window[0]) +
                     " ... " + number_text(window[1]) + " m, y " + number_text(window[2]) + " ... " +
@@ -77,16 +73,8 @@ void render_spheres(const Frame& spheres, const RenderOptions& options, const st
   const double pixels =
       options.pixels > 0 ? options.pixels : std::clamp(8 * longer / diameter, 1200.0, 4000.0);
   PackingPicture picture(window, pixels, !scale.values.empty());
-  Drawing& drawing = picture.begin();
-  const double per_metre = picture.per_metre();
-  // All dark discs first, the shaded ones a little smaller on top: an outline around each particle,
-  // none between the overlapping spheres of one.
-  const double outline = std::clamp(0.06 * diameter * per_metre, 0.3, 3.0);
-  for (const auto i : visible)
-    drawing.circle(picture.x(x[i]), picture.y(y[i]), radius[i] * per_metre);
-  for (const auto i : visible)
-    drawing.circle(picture.x(x[i]), picture.y(y[i]), radius[i] * per_metre - outline,
-                   scale.shade(i));
+  draw_particles(picture, picture.begin(), spheres, visible, diameter, "",
+                 [&scale](std::size_t i) { return scale.shade(i); });
   picture.finish(walls, diameter, scale, stem);
 }
 

@@ -29,7 +29,7 @@ struct RenderOptions {
 
 /// Draws one frame of the spheres' dump (columns `body x y radius`, for colours `fx fy fz` or
 /// `fsum`): true aspect ratio, walls, colour bar with unit, scale bar; `stem`.svg and `stem`.png.
-/// Spheres are drawn as discs of their true size; particles are told apart by a thin dark outline.
+/// Spheres are drawn as discs of their true size, each particle within one thin dark outline.
 /// @throws DataError when a column is missing, no sphere lies in the window, or drawing fails.
 void render_spheres(const Frame& spheres, const RenderOptions& options, const std::string& stem);
 

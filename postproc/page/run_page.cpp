@@ -12,6 +12,7 @@
 #include "reading/data_error.h"
 #include "reading/text_file.h"
 #include "reading/json_file.h"
+#include "report/scene.h"
 
 namespace rodpack {
 namespace {
@@ -19,19 +20,29 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 const std::vector<FigureText>& run_figures() {
+  static const std::string hatched =
+      "Hatched: nearer than 3ω to a wall or the surface (line), where the kernel averages over the "
+      "empty space beyond.";
   static const std::vector<FigureText> texts{
       {"packing", "The packing",
-       "Each sphere is shaded by the magnitude of the net contact force on it.", true},
+       "Each sphere is shaded by the magnitude of the net contact force on it; each particle has "
+       "one "
+       "outline.",
+       true},
       {"forces_chains", "Force chains",
        "A line for each touching pair, between the centres of mass, for the sum of its contacts; "
        "at "
        "a wall it ends in the mean contact point.",
        true},
-      {"solid_fraction_map", "Solid fraction, coarse-grained with ω", "", false},
-      {"pressure_map", "Pressure and its principal directions, coarse-grained with ω", "", false},
-      {"solid_fraction", "Solid fraction over height in the central slice", "", false},
+      {"solid_fraction_map", "Solid fraction, coarse-grained with ω", hatched, false},
+      {"pressure_map", "Pressure and its principal directions, coarse-grained with ω", hatched,
+       false},
+      {"solid_fraction", "Solid fraction over height in the central slice",
+       "Grey: as hatched above. The dashed line is the area that the particles cover below the "
+       "surface over that of the bed, walls included.",
+       false},
       {"profile", "Pressure <i>P</i><sub>0</sub> over depth below the surface in the central slice",
-       "", false},
+       "Grey: as hatched above.", false},
       {"orientation", "Distribution of the angle γ between long axis and horizontal",
        "Particles closer than AR <i>d</i><sub>p</sub> to a wall are left out.", false},
       {"orientation_polar", "The same as a rose", "", false},
@@ -51,7 +62,8 @@ const std::vector<FigureText>& run_figures() {
 Json results_of(const Json& summary) {
   Json results;
   for (const auto& [key, value] : summary.items())
-    if (key != "format" && key != "timestep" && !value.is_structured()) results[key] = value;
+    if (key != "format" && key != "timestep" && key != "scene" && !value.is_structured())
+      results[key] = value;
   return results;
 }
 
@@ -69,6 +81,7 @@ std::string made_by(const Json& values) {
 }
 
 std::string lead_of(const fs::path& run, const Json& summary, const Json& parameters) {
+  const auto scene = scene_unlike_the_papers(nlohmann::json(parameters));
   std::string text = number_html(summary.value("particles", 0.0), 12) + " " +
                      escaped(particles_in_words(parameters));
   if (parameters.contains("seed")) text += ", seed " + escaped(parameters["seed"].dump());
@@ -76,7 +89,8 @@ std::string lead_of(const fs::path& run, const Json& summary, const Json& parame
   if (summary.contains("time_s"))
     text += " (" + number_html(summary["time_s"].get<double>(), 4) + " s)";
   return text + ". Run folder <code>" + escaped(run.filename().string()) +
-         "</code>, simulated by " + made_by(parameters) + ", analysed by " + made_by(summary) + ".";
+         "</code>, simulated by " + made_by(parameters) + ", analysed by " + made_by(summary) +
+         "." + (scene.empty() ? "" : " <b>" + escaped(scene) + "</b>");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "page/study_results.h"
 #include "page/study_runs.h"
 #include "reading/text_file.h"
+#include "report/scene.h"
 
 namespace rodpack {
 namespace {
@@ -30,7 +31,11 @@ std::string lead_of(const Study& study) {
     if (particles.size() > 1) text += " to " + number_html(*particles.rbegin(), 12);
     text += " particles each";
   }
-  return text + ". Errors are standard errors of the mean over repetitions.";
+  text += ". Errors are standard errors of the mean over repetitions.";
+  for (const auto& each : study.ensemble.cases)
+    if (const auto scene = scene_unlike_the_papers(nlohmann::json(each.parameters)); !scene.empty())
+      return text + " <b>" + escaped(each.name + ": " + scene) + "</b>";  // the others' are alike
+  return text;
 }
 
 std::vector<ShownPacking> packings_of(const Study& study) {

@@ -31,7 +31,9 @@ const std::map<std::string, std::string>& result_labels() {
   static const std::map<std::string, std::string> all{
       {"solid_fraction", "solid fraction φ"},
       {"solid_fraction_from_3_omega_above_floor_to_surface",
-       "solid fraction φ, central slice, from 3ω above the floor to the surface"},
+       "solid fraction φ, central slice, from 3ω above the floor to the surface (the kernel "
+       "averages "
+       "over the empty space above it)"},
       {"solid_fraction_from_3_omega_above_floor_to_3_omega_below_surface",
        "solid fraction φ, central slice, from 3ω above the floor to 3ω below the surface"},
       {"solid_fraction_to_3_omega_below_surface", "solid fraction φ up to 3ω below the surface"},
@@ -40,6 +42,12 @@ const std::map<std::string, std::string>& result_labels() {
       {"omega", "coarse-graining scale ω"},
       {"nematic_order_S2", "nematic order <i>S</i><sub>2</sub>"},
       {"nematic_order_S2_pooled", "nematic order <i>S</i><sub>2</sub>, repetitions pooled"},
+      {"sixfold_order_S6",
+       "sixfold order of directions <i>S</i><sub>6</sub> = |⟨e<sup>6<i>i</i>γ</sup>⟩|"},
+      {"mean_cos_6_gamma", "⟨cos 6γ⟩: positive for 0, 60, 120°, negative for 30, 90, 150°"},
+      {"sixfold_bond_order_local", "sixfold bond order, mean |<i>ψ</i><sub>6</sub>|"},
+      {"sixfold_bond_order_global", "sixfold bond order of all, |⟨<i>ψ</i><sub>6</sub>⟩|"},
+      {"sixfold_bond_order_points", "points of the sixfold bond order"},
       {"director", "director, angle to the horizontal"},
       {"director_pooled", "director, repetitions pooled"},
       {"bed_height", "height of the bed"},

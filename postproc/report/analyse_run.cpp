@@ -2,6 +2,7 @@
 #include "report/analyse_run.h"
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "analysis/energies.h"
@@ -13,6 +14,7 @@
 #include "reading/parameters.h"
 #include "reading/run_folder.h"
 #include "report/measures.h"
+#include "report/scene.h"
 
 namespace rodpack {
 namespace {
@@ -48,6 +50,26 @@ void remove_own_outputs(const fs::path& out) {
     }
 }
 
+// What the bodies alone tell; what the bed is too small for is noted.
+void measure_bodies(const Frame& bodies, const Packing& packing, const fs::path& out,
+                    Json& summary) {
+  using Report = std::function<void(const Packing&, const fs::path&, Json&)>;
+  const Report report_bonds = [&](const Packing& all, const fs::path&, Json& numbers) {
+    try {
+      report_bond_order(bodies, all, numbers);
+    } catch (const DataError& reason) {  // particles that are no chains have none
+      numbers["notes"].push_back(reason.what());
+    }
+  };
+  for (const Report& report : {Report(report_orientation), report_bonds, Report(report_rdf),
+                               Report(report_solid_fraction)})
+    try {
+      report(packing, out, summary);
+    } catch (const TooFewParticles& reason) {
+      summary["notes"].push_back(reason.what());
+    }
+}
+
 }  // namespace
 
 Json analyse_run(const std::string& run_folder, bool all_frames) {
@@ -78,13 +100,10 @@ Json analyse_run(const std::string& run_folder, bool all_frames) {
   if (dt > 0) summary["time_s"] = static_cast<double>(packing.timestep) * dt;
   summary["particles"] = packing.size();
   summary["bed_height_m"] = packing.surface - packing.walls.floor;
+  if (const auto scene = scene_unlike_the_papers(parameters.values); !scene.empty())
+    summary["scene"] = scene;
   summary["notes"] = Json::array();
-  using Report = void (*)(const Packing&, const fs::path&, Json&);
-  for (const Report report : {report_orientation, report_rdf, report_solid_fraction}) try {
-      report(packing, out, summary);
-    } catch (const TooFewParticles& reason) {
-      summary["notes"].push_back(reason.what());
-    }
+  measure_bodies(bodies, packing, out, summary);
   options.particle_diameter = packing.particle_diameter;
   report_contacts(contacts, options, out, summary);
   const bool stressed = contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep;

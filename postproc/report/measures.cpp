@@ -5,6 +5,7 @@
 #include "analysis/fields.h"
 #include "analysis/force_chains.h"
 #include "analysis/janssen_fit.h"
+#include "analysis/order/bond_order.h"
 #include "analysis/orientation.h"
 #include "analysis/pressure_profile.h"
 #include "analysis/rdf.h"
@@ -40,6 +41,19 @@ void report_orientation(const Packing& packing, const fs::path& out, Json& summa
   summary["nematic_order_S2"] = distribution.nematic.order;
   summary["nematic_order_S2_standard_error"] = distribution.nematic.standard_error;
   summary["director_deg"] = distribution.nematic.director;
+  summary["sixfold_order_S6"] = distribution.sixfold.order;
+  summary["mean_cos_6_gamma"] = distribution.sixfold.mean_cosine;
+  summary["mean_cos_6_gamma_standard_error"] = distribution.sixfold.standard_error;
+}
+
+void report_bond_order(const Frame& bodies, const Packing& packing, Json& summary) {
+  BondOrderSample sample;
+  sample.add(bodies, packing);
+  const auto order = sample.result();
+  summary["sixfold_bond_order_points"] = order.points;
+  summary["sixfold_bond_order_local"] = order.local;
+  summary["sixfold_bond_order_local_standard_error"] = order.local_error;
+  summary["sixfold_bond_order_global"] = order.global;
 }
 
 void report_rdf(const Packing& packing, const fs::path& out, Json& summary) {
@@ -156,10 +170,10 @@ void report_fields(const Packing& packing, const Frame& bodies, const Frame* con
   sample.add(packing, bodies, contacts);
   const auto fields = sample.fields();
   write_fields(sample.averages(), fields, time, (out / "fields").string());
-  plot_solid_fraction_map(sample.averages(), fields, packing,
-                          (out / "solid_fraction_map").string());
+  const auto bed = mapped_bed(sample, packing);
+  plot_solid_fraction_map(sample.averages(), fields, bed, (out / "solid_fraction_map").string());
   if (!contacts) return;
-  plot_pressure_map(sample.averages(), fields, packing, (out / "pressure_map").string());
+  plot_pressure_map(sample.averages(), fields, bed, (out / "pressure_map").string());
 
   ProfileSample slice({});
   slice.add(packing, bodies, *contacts);

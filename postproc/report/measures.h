@@ -22,6 +22,9 @@ namespace rodpack {
 /// all of these.
 void report_orientation(const Packing& packing, const std::filesystem::path& out,
                         nlohmann::ordered_json& summary);
+/// Of the points of the particles of `bodies`, the frame that `packing` was read from.
+void report_bond_order(const Frame& bodies, const Packing& packing,
+                       nlohmann::ordered_json& summary);
 void report_rdf(const Packing& packing, const std::filesystem::path& out,
                 nlohmann::ordered_json& summary);
 void report_solid_fraction(const Packing& packing, const std::filesystem::path& out,

@@ -34,6 +34,24 @@ Series curve_series(const EnsembleCase& each, const std::string& name, double fa
   return curve ? series_of(*curve, factor) : Series{};
 }
 
+std::optional<Packing> mean_bed(const EnsembleCase& each, double& omega) {
+  const auto* height = number_of(&each, "bed_height_m");
+  const auto* scale = number_of(&each, "omega_m");
+  const auto parameter = [&](const char* name) {
+    const auto found = each.parameters.find(name);
+    return found != each.parameters.end() && found->is_number() ? found->get<double>() : 0;
+  };
+  const double d = parameter("particle_diameter_m"), width = parameter("container_width_m");
+  if (!height || !scale || !(d > 0) || !(width > 0)) return std::nullopt;
+  omega = scale->mean / d;
+  Packing bed;
+  bed.particle_diameter = 1;
+  bed.aspect_ratio = std::max(1.0, parameter("aspect_ratio"));
+  bed.walls.right = width / d;
+  bed.surface = height->mean / d;
+  return bed;
+}
+
 void add_straight_panels(PanelSheet& sheet, const Ensemble& ensemble, const SeriesOfCase& series) {
   for (const double aspect_ratio : aspect_ratios(ensemble, false)) {
     Panel panel;

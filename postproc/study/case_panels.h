@@ -3,8 +3,10 @@
 #define RODPACK_STUDY_CASE_PANELS_H
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "reading/packing.h"
 #include "study/panels.h"
 #include "study/study_case.h"
 #include "study/study_figures.h"
@@ -26,6 +28,10 @@ std::string angle_title(double theta);
 
 /// A curve of a case as a series, times `factor`; empty when there is none.
 Series curve_series(const EnsembleCase& each, const std::string& name, double factor = 1);
+
+/// The bed of a case in lengths of d_p, surface at the mean height of the runs' beds, as a packing
+/// without particles; none where its numbers do not tell. `omega`: filled with w, d_p.
+std::optional<Packing> mean_bed(const EnsembleCase& each, double& omega);
 
 /// Adds a panel per aspect ratio, both surfaces in each.
 void add_straight_panels(PanelSheet& sheet, const Ensemble& ensemble, const SeriesOfCase& series);

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "analysis/edges/undisturbed.h"
 #include "ensemble/ensemble_field.h"
+#include "figures/edges/shading.h"
 #include "figures/field_maps.h"
 #include "figures/figure.h"
 #include "reading/number_text.h"
@@ -16,6 +18,8 @@ struct CaseMap {
   std::string title;
   std::vector<double> x, y, value;  // x, y in d_p
   double width = 0, height = 0;     // of the map, d_p
+  std::vector<Rectangle> disturbed;
+  std::optional<double> surface;  // d_p
 };
 
 std::optional<CaseMap> read_map(const EnsembleCase& each, const std::string& out) {
@@ -36,6 +40,11 @@ std::optional<CaseMap> read_map(const EnsembleCase& each, const std::string& out
   if (map.x.empty()) return std::nullopt;
   map.width = field.x.back() / d;
   map.height = field.y.back() / d;
+  double omega = 0;
+  if (const auto bed = mean_bed(each, omega)) {
+    map.disturbed = parts_outside(undisturbed_part(*bed, 3 * omega), {0, map.width, 0, map.height});
+    if (bed->surface < map.height) map.surface = bed->surface;
+  }
   return map;
 }
 
@@ -80,15 +89,17 @@ std::string map_plot(const CaseMap& map, std::size_t place, double x0, const Map
   const double x1 = x0 + map.width * layout.per_diameter;
   const double y1 = layout.bottom + map.height * layout.per_diameter;
   const double tic = round_step(map.width);
+  std::string edges;
+  if (!map.disturbed.empty()) edges += ", " + hatched("disturbed" + std::to_string(place));
+  if (map.surface) edges += ", " + number_text(*map.surface) + " with lines " + surface_look();
   return "set lmargin at screen " + layout.across(x0) + "\nset rmargin at screen " +
          layout.across(x1) + "\nset bmargin at screen " + layout.up(layout.bottom) +
          "\nset tmargin at screen " + layout.up(y1) + "\nset xrange [0:" + number_text(map.width) +
          "]\nset yrange [0:" + number_text(map.height) + "]\nset xtics 0," + number_text(tic) +
          "\nset format y '" + (place == 0 ? "%g" : "") + "'\nset label 1 \"" + map.title +
          "\" at screen " + layout.across(0.5 * (x0 + x1)) + "," + layout.up(y1 + 2.6) +
-         " center\nplot $map" + std::to_string(place) +
-         " using 1:2:3 with image\nunset colorbox\n"
-         "unset label\n";
+         " center\nplot $map" + std::to_string(place) + " using 1:2:3 with image" + edges +
+         "\nunset colorbox\nunset label\n";
 }
 
 }  // namespace
@@ -97,8 +108,8 @@ StudyFigure draw_solid_fraction_maps(const Ensemble& ensemble, const std::string
   StudyFigure figure{
       "fig2_solid_fraction_maps", "Fig. 2",
       "Maps of the coarse-grained solid fraction, mean over the repetitions, straight "
-      "particles, all at one scale. Towards walls and surface the kernel averages "
-      "over the empty space beyond.",
+      "particles, all at one scale. Hatched: within 3ω of a wall or the surface (line: its mean), "
+      "where the kernel averages over the empty space beyond.",
       ""};
   const auto maps = straight_maps(ensemble, out);
   if (maps.empty()) {
@@ -111,6 +122,8 @@ StudyFigure draw_solid_fraction_maps(const Ensemble& ensemble, const std::string
   for (std::size_t place = 0; place < maps.size(); ++place) {
     const auto& map = maps[place];
     blocks += datablock("map" + std::to_string(place), {map.x, map.y, map.value});
+    if (!map.disturbed.empty())
+      blocks += hatch_block("disturbed" + std::to_string(place), map.disturbed);
     plots += map_plot(map, place, x0, layout);
     x0 += map.width * layout.per_diameter + layout.gap;
     largest = std::max(largest, *std::max_element(map.value.begin(), map.value.end()));

@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "figures/edges/shading.h"
 #include "figures/figure.h"
 #include "reading/number_text.h"
 
@@ -186,12 +187,54 @@ std::string y_axis(const Panel& panel, const Range& data) {
     return std::any_of(panel.names.begin(), panel.names.end(),
                        [&](const PlaceName& name) { return name.top == at_top; });
   };
-  const double strip = 0.22 * (data.high - data.low);
+  const double strip = 0.24 * (data.high - data.low);
   const double step = tic_step(data);
   return "set yrange [" + number_text(data.low - (any(false) ? strip : 0)) + ":" +
          number_text(data.high + (any(true) ? strip : 0)) + "]\nset ytics " +
          number_text(step * std::ceil(data.low / step - 1e-9)) + "," + number_text(step) + "," +
          number_text(data.high) + "\n";
+}
+
+// Grey where the averages of a series are disturbed, and marks at the surfaces.
+std::string edges_of(const PanelSheet& sheet, const Panel& panel) {
+  double from = sheet.x_low, to = sheet.x_high;
+  std::string marks;
+  for (const auto& series : panel.series) {
+    if (series.x.empty()) continue;
+    if (series.undisturbed) {
+      from = std::max(from, (*series.undisturbed)[0]);
+      to = std::min(to, (*series.undisturbed)[1]);
+    }
+    if (series.surface)
+      marks += "set arrow from first " + number_text(*series.surface) + ", graph 0 to first " +
+               number_text(*series.surface) +
+               ", graph 0.16 nohead back linewidth 1.4 dashtype 3 linecolor '" + series.colour +
+               "'\n";
+  }
+  if (from >= to) return grey_strip('x', sheet.x_low, sheet.x_high) + marks;
+  return grey_strip('x', sheet.x_low, from) + grey_strip('x', to, sheet.x_high) + marks;
+}
+
+// Names in the strips, clear of the tics, those beside their place with a line to it.
+std::string names_of(const Panel& panel, const Layout& layout) {
+  const double letter = 1 / layout.panel_height;
+  // From the edge: tics, four letters of 0.7 the size on their side, the line.
+  const double begin = 0.9 * letter, end = begin + 1.9 * letter, tip = end + 0.6 * letter;
+  std::string text;
+  int number = 4;
+  for (const auto& name : panel.names) {
+    const auto level = [&](double from_edge) {
+      return ",graph " + number_text(name.top ? 1 - from_edge : from_edge, 6);
+    };
+    text += "set label " + std::to_string(number++) + " '{/*0.7 " + name.text + "}' at first " +
+            number_text(name.x) + level(begin) + (name.top ? " right" : " left") +
+            " rotate by 90 front textcolor '" + name.colour + "'\n";
+    if (name.x != name.of)  // an upright line would be read as a minus sign
+      text += "set arrow from first " + number_text(name.x) + level(end) + " to first " +
+              number_text(name.of) + level(tip) + " nohead front linewidth 0.6 linecolor '" +
+              name.colour + "'\n";
+  }
+  return text;
 }
 
 // Frame, axes and texts of the panel at `place`, of `count` ones.
@@ -216,21 +259,26 @@ std::string axes_of(const PanelSheet& sheet, const Panel& panel, const Layout& l
                      "set format x '" + (lowest ? "%g" : "") + "'\nset format y '" +
                      (column == 0 || sheet.own_y ? "%g" : "") + "'\nset label 3 '" + panel.title +
                      "' at graph " + titles[static_cast<int>(sheet.title_at)] + " front\n";
-  int number = 4;
-  for (const auto& name : panel.names)
-    text += "set label " + std::to_string(number++) + " '{/*0.7 " + name.text + "}' at first " +
-            number_text(name.x) + ",graph " + (name.top ? "0.985 right" : "0.015 left") +
-            " rotate by 90 front textcolor '" + name.colour + "'\n";
-  return text;
+  return text + names_of(panel, layout);
 }
 
 }  // namespace
 
 Series series_of(const EnsembleCurve& curve, double factor) {
   Series series;
+  bool gap = false;
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const auto& value = curve.y[k];
-    if (value.n == 0 || !std::isfinite(value.mean)) continue;
+    if (value.n == 0 || !std::isfinite(value.mean)) {
+      gap = !series.x.empty();
+      continue;
+    }
+    if (gap) {  // no line across it
+      series.x.push_back(curve.x[k - 1]);
+      series.y.push_back(std::numeric_limits<double>::quiet_NaN());
+      series.sem.push_back(0);
+      gap = false;
+    }
     series.x.push_back(curve.x[k]);
     series.y.push_back(factor * value.mean);
     series.sem.push_back(factor * value.sem.value_or(0));
@@ -280,9 +328,10 @@ bool draw_panels(const PanelSheet& sheet, const std::string& stem) {
       blocks += datablock(name, {series.x, series.y, series.sem});
       parts += ", " + plot_of(series, "$" + name, sheet.errors);
     }
-    plots += axes_of(sheet, *panels[p], layout, static_cast<int>(p),
+    plots += edges_of(sheet, *panels[p]) +
+             axes_of(sheet, *panels[p], layout, static_cast<int>(p),
                      static_cast<int>(panels.size()), shared) +
-             "plot " + parts.substr(2) + "\nunset label\n";
+             "plot " + parts.substr(2) + "\nunset label\nunset object\nunset arrow\n";
   }
   const std::string tics = sheet.x_tics.empty() ? "" : "set xtics " + sheet.x_tics + "\n";
   draw_figure(stem, layout.width() / layout.height(),

@@ -2,6 +2,7 @@
 #ifndef RODPACK_STUDY_PANELS_H
 #define RODPACK_STUDY_PANELS_H
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,15 +28,20 @@ struct Series {
   int dash = 1;      // gnuplot's dash type
   bool line = true;  // false: points alone
   double line_width = 1;
+  // Where on the x axis its averages hold nothing of the space beyond the bed, and where the bed's
+  // surface is; none: everywhere, and it is not marked.
+  std::optional<std::array<double, 2>> undisturbed;
+  std::optional<double> surface;
 };
 
 /// Makes a series of a curve, its means and standard errors times `factor`; entries without a
-/// repetition are left out.
+/// repetition are left out, and between others one that is no number parts the line.
 Series series_of(const EnsembleCurve& curve, double factor = 1);
 
 /// A name of a place on the x axis, upright in a strip at the top or bottom of a panel.
 struct PlaceName {
-  double x = 0;
+  double x = 0;   // where it stands
+  double of = 0;  // the place; a line leads to it from beside
   bool top = true;
   std::string text;
   std::string colour;
@@ -43,6 +49,8 @@ struct PlaceName {
 
 enum class Corner { left, middle, right, low };
 
+/// What all series of a panel have undisturbed is white, the rest grey; surfaces are marked at the
+/// lower edge.
 struct Panel {
   std::string title;
   std::vector<Series> series;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 
+#include "analysis/edges/undisturbed.h"
 #include "reading/number_text.h"
 #include "study/case_panels.h"
 #include "study/pressure.h"
@@ -9,8 +10,20 @@ namespace rodpack {
 namespace {
 
 Series pressure_series(const EnsembleCase& each) {
-  return curve_series(each, "profile.pressure_N_m");
+  Series series = curve_series(each, "profile.pressure_N_m");
+  double omega = 0;
+  const auto bed = mean_bed(each, omega);
+  if (!bed || series.x.empty()) return series;
+  const auto heights = undisturbed_heights(*bed, 3 * omega);
+  // Depths count from the highest surface, the floor of the last one.
+  const double floor = series.x.back();
+  series.undisturbed = {floor - heights[1], floor - heights[0]};
+  return series;
 }
+
+const std::string grey_means =
+    "Grey: within 3ω of the surface or a wall, where the kernel averages over the empty space "
+    "beyond.";
 
 PanelSheet pressure_sheet() {
   PanelSheet sheet;
@@ -58,7 +71,8 @@ StudyFigure draw_pressure(const Ensemble& ensemble, const std::string& out) {
   fit_x_high(sheet);
   return finish({"fig5_pressure", "Fig. 5",
                  "Pressure in the central slice over the depth below the highest surface of the "
-                 "repetitions; mean and standard error. Spheres with Janssen's law.",
+                 "repetitions; mean and standard error. Spheres with Janssen's law. " +
+                     grey_means,
                  ""},
                 sheet, out, "no case of spheres or straight particles has a pressure profile");
 }
@@ -72,7 +86,8 @@ StudyFigure draw_curved_pressure(const Ensemble& ensemble, const std::string& ou
   return finish({"fig10_pressure_curved", "Fig. 10",
                  "Pressure in the central slice over the depth below the highest surface of the "
                  "repetitions, curved particles and the straight smooth ones; mean and standard "
-                 "error.",
+                 "error. " +
+                     grey_means,
                  ""},
                 sheet, out, "no curved case has a pressure profile");
 }

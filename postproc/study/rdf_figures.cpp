@@ -31,7 +31,7 @@ PanelSheet rdf_sheet() {
 // in the order of their peaks; none when there is no room near `x`.
 std::optional<double> free_place(double x, const std::vector<std::pair<double, double>>& taken,
                                  double room) {
-  for (const double shift : {0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0}) {
+  for (const double shift : {0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.25, -1.25}) {
     const double place = x + shift * room;
     if (std::all_of(taken.begin(), taken.end(), [&](const std::pair<double, double>& other) {
           return std::fabs(place - other.first) >= room &&
@@ -46,7 +46,7 @@ std::optional<double> free_place(double x, const std::vector<std::pair<double, d
 // room.
 void name_peaks(const PanelSheet& sheet, Panel& panel, const Series& series,
                 const std::vector<Peak>& peaks, bool top) {
-  const double letter = 0.75 * (sheet.x_high - sheet.x_low) / sheet.panel_width;
+  const double letter = 0.95 * (sheet.x_high - sheet.x_low) / sheet.panel_width;
   std::vector<Peak> by_prominence = peaks;
   std::sort(by_prominence.begin(), by_prominence.end(),
             [](const Peak& a, const Peak& b) { return a.prominence > b.prominence; });
@@ -55,7 +55,8 @@ void name_peaks(const PanelSheet& sheet, Panel& panel, const Series& series,
     const auto place = free_place(peak.position, taken, letter);
     if (!place) continue;
     taken.push_back({*place, peak.position});
-    panel.names.push_back({*place, top, fixed_text(peak.position, 2), series.colour});
+    panel.names.push_back(
+        {*place, peak.position, top, fixed_text(peak.position, 2), series.colour});
   }
 }
 

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/edges/undisturbed.h"
 #include "study/case_panels.h"
 
 namespace rodpack {
 namespace {
 
 Series slice_series(const EnsembleCase& each) {
-  return curve_series(each, "solid_fraction.solid_fraction");
+  Series series = curve_series(each, "solid_fraction.solid_fraction");
+  double omega = 0;
+  if (const auto bed = mean_bed(each, omega)) {
+    series.undisturbed = undisturbed_heights(*bed, 3 * omega);
+    series.surface = bed->surface;
+  }
+  return series;
 }
 
 PanelSheet slice_sheet() {
@@ -19,7 +26,9 @@ PanelSheet slice_sheet() {
 
 const std::string what =
     " in the central slice over the height above the floor, mean and standard error over the "
-    "repetitions; within 3ω of floor and surface the kernel averages over what lies beyond. ";
+    "repetitions. Grey: within 3ω of a wall or the surface, where the kernel averages over the "
+    "empty "
+    "space beyond; dotted marks below: mean surfaces. ";
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "figures/rdf_figure.h"
+
 namespace {
 using namespace rodpack;
 const double pi = std::acos(-1.0);
@@ -120,6 +122,23 @@ TEST(Rdf, SquareLatticeHasItsShellsAndNothingBetween) {
       pairs += rdf.pairs[k - 1];
     EXPECT_NEAR(pairs / (38.0 * 38.0), shell[k], 1e-12) << "r = " << rdf.r[k];
     EXPECT_NEAR(rdf.g[k], rdf.pairs[k] / (38.0 * 38.0) / (2 * pi * rdf.r[k] * 0.1), 1e-9);
+  }
+}
+
+// In a box of 20 x 20 no ring of more than its diagonal is in sight, neither full nor empty.
+TEST(Rdf, CurvesHaveNoPointWhereNoRingIsInSight) {
+  RdfSample sample({1, 40, 1});
+  sample.add(ideal_gas(20, 20, 400, 6));
+  const auto rdf = sample.result();
+  const auto drawn = drawn_g(rdf);
+  ASSERT_EQ(drawn.size(), 40U);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    if (rdf.r[k] < 17 * std::sqrt(2.0)) {
+      EXPECT_EQ(drawn[k], rdf.g[k]);
+    }
+    if (rdf.r[k] > 20 * std::sqrt(2.0)) {
+      EXPECT_TRUE(std::isnan(drawn[k]));
+    }
   }
 }
 

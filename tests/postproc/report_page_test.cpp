@@ -291,6 +291,26 @@ TEST(RunPage, HoldsEveryFigureAndEveryNumberOfTheAnalysisAndNothingFromElsewhere
     EXPECT_THAT(html, HasSubstr(rodpack::escaped(note.get<std::string>())));
 }
 
+// The container of SyntheticPacking, 20 l_axial wide, in a run that says that it is 0.4 m high.
+TEST(RunPage, AnotherSceneThanThePapersSaysSoAsTheRunDoes) {
+  const auto run = fresh_folder() / "run";
+  SyntheticPacking made;
+  made.fill();
+  made.write_run(run);
+  auto parameters = json::parse(text_of(run / "parameters.json"));
+  parameters["container_height_m"] = 0.4;
+  put(run / "parameters.json", parameters.dump() + "\n");
+  const auto output = rodpack_command("analyse " + run.string());
+  EXPECT_EQ(output.exit_code, 0) << output.output;
+  EXPECT_THAT(output.output, HasSubstr("Not the paper's scene"));
+  EXPECT_THAT(text_of(run / "analysis" / "report.html"), HasSubstr("Not the paper"));
+  const auto summary = json::parse(text_of(run / "analysis" / "summary.json"));
+  EXPECT_THAT(summary["scene"].get<std::string>(), HasSubstr("0.4 m high"));
+  for (const auto* key : {"sixfold_order_S6", "mean_cos_6_gamma", "sixfold_bond_order_local",
+                          "sixfold_bond_order_global", "sixfold_bond_order_points"})
+    EXPECT_TRUE(summary[key].is_number()) << key;
+}
+
 TEST(RunPage, IsMadeAnewByReportAndByAnalyse) {
   const auto run = analysed_run(fresh_folder() / "run", 2.0);
   const auto page = run / "analysis" / "report.html";

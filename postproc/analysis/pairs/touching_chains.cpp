@@ -4,32 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
-
-#include "analysis/pairs/pair_configuration.h"
 
 namespace rodpack {
 
 TouchingChains::TouchingChains(const Frame& bodies, const Packing& packing)
-    : radius_(bodies.column("radius")),
+    : centres_(body_points(bodies, packing,
+                           [](const ChainShape& shape) { return sphere_centres(shape); })),
+      radius_(bodies.column("radius")),
       gap_(1e-4 * packing.particle_diameter),
       next_(0.1 * packing.particle_diameter) {
-  const auto& spheres = bodies.column("nspheres");
-  const auto& half_length = bodies.column("half_length");
-  const double d = packing.particle_diameter;
-  for (std::size_t i = 0; i < packing.size(); ++i) {
-    try {
-      const auto shape = shape_of_body(static_cast<int>(spheres[i]), 2 * half_length[i] / d, d,
-                                       2 * radius_[i], packing.curvature[i]);
-      const double c = std::cos(packing.angle[i]), s = std::sin(packing.angle[i]);
-      centres_.emplace_back();
-      for (const auto& [x, y] : sphere_centres(shape))
-        centres_.back().push_back({{c * x - s * y, s * x + c * y}});
-    } catch (const std::invalid_argument& reason) {
-      throw DataError(bodies.file + ": particle in row " + std::to_string(i + 1) + " of timestep " +
-                      std::to_string(bodies.timestep) + ": " + reason.what());
-    }
-  }
   find_neighbours(packing);
 }
 

@@ -2,10 +2,10 @@
 #ifndef RODPACK_ANALYSIS_PAIRS_TOUCHING_CHAINS_H
 #define RODPACK_ANALYSIS_PAIRS_TOUCHING_CHAINS_H
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "analysis/order/body_points.h"
 #include "reading/dump.h"
 #include "reading/packing.h"
 
@@ -28,10 +28,10 @@ class TouchingChains {
   bool nearer(std::size_t i, std::size_t j, double dx, double dy, double gap) const;
   void find_neighbours(const Packing& packing);
 
-  std::vector<std::vector<std::array<double, 2>>> centres_;  // of the spheres, from that of mass, m
-  std::vector<double> radius_;                               // m
-  double gap_;                                               // largest that counts as touching, m
-  double next_;  // largest of particles that are next to each other, m
+  std::vector<PointList> centres_;  // of the spheres, from that of mass, m
+  std::vector<double> radius_;      // m
+  double gap_;                      // largest that counts as touching, m
+  double next_;                     // largest of particles that are next to each other, m
   std::vector<std::vector<std::size_t>> neighbours_;  // in ascending order
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "figures/figure.h"
+#include "figures/rdf_figure.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
@@ -106,7 +107,7 @@ std::string margins(double left, double right, double bottom, double top) {
 
 std::string graph(const Rdf& rdf, const RdfPeak& peak, double height) {
   const double highest = *std::max_element(rdf.g.begin(), rdf.g.end());
-  return datablock("g", {rdf.r, rdf.g}) +
+  return datablock("g", {rdf.r, drawn_g(rdf)}) +
          margins(0.14, 0.96, 1 - (graph_height - 0.17) / height, 1 - 0.02 / height) +
          "set xlabel 'distance {/:Italic r} / {/:Italic d}_p'\n"
          "set ylabel '{/:Italic G}({/:Italic r})'\n"

@@ -49,6 +49,8 @@ function placeSpheres(packing, shapes) {
   for (let p = 0; p < count; ++p) first[p + 1] = first[p] + shapes[shape[p]].centres.length;
   const spheres = { x: new Float64Array(first[count]), y: new Float64Array(first[count]),
                     radius: new Float64Array(first[count]) };
+  const lastOfParticle = new Uint8Array(first[count]);
+  for (let p = 0; p < count; ++p) lastOfParticle[first[p + 1] - 1] = 1;
   for (let p = 0; p < count; ++p) {
     const { centres, half_length_m } = shapes[shape[p]];
     const unit = centres.length > 1 ? 2 * (half_length_m - radius[p]) : 1;
@@ -60,7 +62,7 @@ function placeSpheres(packing, shapes) {
       spheres.radius[first[p] + k] = radius[p];
     });
   }
-  return { first, spheres };
+  return { first, spheres, lastOfParticle };
 }
 
 /** A packing from the data of the page. */

@@ -17,8 +17,16 @@ function visibleSpheres(packing, view) {
   return seen;
 }
 
+/** Whether a sphere hardly overlaps the next one of its particle: a small disc joins the two, in the
+ *  groove that no other sphere can reach, so that one particle is not taken for two. */
+function joinsNext(packing, k) {
+  const { x, y, radius } = packing.spheres;
+  if (packing.lastOfParticle[k]) return false;
+  return Math.hypot(x[k + 1] - x[k], y[k + 1] - y[k]) > Math.sqrt(3) * radius[k];
+}
+
 /** Draws discs: all dark ones first, then the shaded ones a little smaller on top, so that each
- *  particle has an outline and its overlapping spheres have none between them. */
+ *  particle has one outline and its spheres have none between them. */
 function drawSpheres(context, packing, view, spheres) {
   const { x, y, radius } = packing.spheres;
   const finer = window.devicePixelRatio;  // pixels of the canvas for one of the view
@@ -30,7 +38,14 @@ function drawSpheres(context, packing, view, spheres) {
     const [px, py] = view.toScreen(x[k], y[k]);
     pixels.disc(px * finer, py * finer, (radius[k] * view.scale - narrower) * finer, colour);
   };
+  const joints = spheres.filter(k => joinsNext(packing, k));
+  const paintJoint = (k, narrower, colour) => {
+    const [px, py] = view.toScreen((x[k] + x[k + 1]) / 2, (y[k] + y[k + 1]) / 2);
+    pixels.disc(px * finer, py * finer, (radius[k] / 2 * view.scale - narrower) * finer, colour);
+  };
   for (const k of spheres) paint(k, 0, dark);
+  for (const k of joints) paintJoint(k, 0, dark);
+  for (const k of joints) paintJoint(k, outline, shades[packing.shade[k]]);
   for (const k of spheres) paint(k, outline, shades[packing.shade[k]]);
   pixels.show();
 }
