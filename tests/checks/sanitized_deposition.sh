@@ -22,6 +22,8 @@ cmake --build "$build" --parallel "$(nproc)" --target liggghts
 LIGGGHTS=$(cd "$build" && pwd)/bin/liggghts
 # Open MPI and VTK keep to the end what they have allocated once.
 export LIGGGHTS ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
+# Two ranks may have one core.
+export OMPI_MCA_mpi_yield_when_idle=1
 runs=$(mktemp -d)
 
 # deposit FOLDER ENGINE
@@ -30,9 +32,9 @@ deposit() {
     -var particles_per_line 4 -var container_height 0.12 -var relaxation_ratio 1e-4 \
     -var restart_interval 0.1 -var engine "$2"
 }
-for engine in planar spheres; do
-  for RANKS in 1 2; do
-    export RANKS
+for RANKS in 1 2; do
+  export RANKS
+  for engine in planar spheres; do
     echo "== engine $engine, ranks: $RANKS"
     run=$runs/$engine$RANKS
     deposit "$run" "$engine"
