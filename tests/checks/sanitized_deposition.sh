@@ -4,8 +4,8 @@
 # Builds liggghts in a folder of its own, BUILD (default build-sanitized/), with AddressSanitizer and
 # UndefinedBehaviorSanitizer in the core and the styles, not in stock LIGGGHTS, and deposits 24 particles
 # with either engine on one rank and on two; each goes on from a restart file as well.
-# The first finding ends its run and makes the exit status 1. Some twelve minutes of one core, most of
-# them the build: no part of tests/run.sh.
+# The first finding ends its run and makes the exit status 1. Takes as long as a build of liggghts, and a
+# minute more: no part of tests/run.sh.
 set -eu
 if [ $# -gt 1 ]; then
   sed -n 's/^# \(Usage: .*\)/\1/p' "$0" >&2
