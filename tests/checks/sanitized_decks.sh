@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Usage: sanitized_deposition.sh [BUILD]
+# Usage: sanitized_decks.sh [BUILD]
 # Builds liggghts in a folder of its own, BUILD (default build-sanitized/), with AddressSanitizer and
-# UndefinedBehaviorSanitizer in the core and the styles, not in stock LIGGGHTS, and deposits 24 particles
-# with either engine on one rank and on two; each goes on from a restart file as well.
-# The first finding ends its run and makes the exit status 1. Takes as long as a build of liggghts, and a
-# minute more: no part of tests/run.sh.
+# UndefinedBehaviorSanitizer in the core and the styles, not in stock LIGGGHTS, runs every deck of
+# inputs/verification/, and deposits 24 particles with either engine on one rank and on two; each
+# deposition goes on from a restart file as well. The first finding ends the script with exit status 1;
+# its run stays. Takes as long as a build of liggghts, and two minutes more: no part of tests/run.sh.
 set -eu
 if [ $# -gt 1 ]; then
   sed -n 's/^# \(Usage: .*\)/\1/p' "$0" >&2
@@ -25,6 +25,14 @@ export LIGGGHTS ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 # Two ranks may have one core.
 export OMPI_MCA_mpi_yield_when_idle=1
 runs=$(mktemp -d)
+echo "runs: $runs"
+
+for deck in "$repository"/inputs/verification/*/in.*; do
+  run=$runs/$(basename "$deck")
+  echo "== $deck"
+  mkdir "$run"
+  (cd "$run" && OMPI_MCA_ess_singleton_isolated=1 "$LIGGGHTS" -in "$deck")
+done
 
 # deposit FOLDER ENGINE
 deposit() {
@@ -43,4 +51,4 @@ for RANKS in 1 2; do
   done
 done
 rm -r "$runs"
-echo "sanitized_deposition.sh: no finding"
+echo "sanitized_decks.sh: no finding"
