@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Usage: sanitized.sh REPOSITORY BUILD SANITIZERS TARGETS [CTEST ARGUMENTS ...]
 # Builds TARGETS, a list of words, with SANITIZERS (address,undefined or thread) in a folder of its
-# own, BUILD, and runs the tests there that the arguments choose. The first finding ends its test.
+# own, BUILD, and runs the tests there that the arguments choose. The first finding ends its program.
 set -eu
 if [ $# -lt 4 ]; then
   sed -n 's/^# \(Usage: .*\)/\1/p' "$0" >&2

@@ -39,7 +39,7 @@ std::string header() {
 
 // Time steps that are compared, s, from the stability limit of velocity Verlet down to half the
 // paper's.
-const double steps[] = {6.6e-5, 4.4e-5, 3.3e-5, 2.75e-5, 2.2e-5, 1.65e-5, 1.1e-5, 0.55e-5};
+const double compared_steps[] = {6.6e-5, 4.4e-5, 3.3e-5, 2.75e-5, 2.2e-5, 1.65e-5, 1.1e-5, 0.55e-5};
 
 bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b); }
 
@@ -129,7 +129,7 @@ std::vector<BedComparison> all_comparisons(const std::vector<std::string>& metho
 
   for (const auto& method : methods) {
     BedComparison step{"step_" + method, "How far can the step of " + method + " grow?", {}};
-    for (const double dt : steps) {
+    for (const double dt : compared_steps) {
       step.models.push_back(paper);
       step.models.back().method = method;
       step.models.back().step = dt;

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "../pi.h"
+
 namespace rodpack {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double root_half_pi = std::sqrt(pi / 2);
 
 // Share of a Gaussian's integral within c standard deviations of its centre.

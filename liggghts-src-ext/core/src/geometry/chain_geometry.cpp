@@ -6,10 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "../pi.h"
+
 namespace rodpack {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Lengths outside of these, m, are mistakes; within, no power of them that mass, inertia or area
 // take leaves the range of a double.

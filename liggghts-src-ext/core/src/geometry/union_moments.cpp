@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../pi.h"
 #include "rodpack/geometry/chain_geometry.h"
 
 // The union of equal balls on an arc about O is split by the bisecting planes between neighbours.
@@ -10,8 +11,6 @@
 
 namespace rodpack {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Integrals of 1, y, x^2, y^2, z^2 over a solid in the frame of the arc; x vanishes by symmetry.
 struct Integrals {
