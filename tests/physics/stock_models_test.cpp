@@ -33,9 +33,9 @@ std::map<int, std::array<double, 4>> forces_of(const Table& contacts) {
 }
 
 /// The forces of the dumps are those that have moved the spheres, less `weight` along -y. Returns
-/// how many contacts there are.
-std::size_t expect_forces_of_the_step(const std::filesystem::path& folder, int frame,
-                                      double weight) {
+/// how many contacts there are, and adds up how many of them bridge a gap.
+std::size_t expect_forces_of_the_step(const std::filesystem::path& folder, int frame, double weight,
+                                      int* bridges = nullptr) {
   const Table atoms = read_dump(folder / "atoms.dump", frame);
   const Table spheres = read_dump(folder / "spheres.dump", frame);
   const Table contacts = read_dump(folder / "contacts.dump", frame);
@@ -54,6 +54,8 @@ std::size_t expect_forces_of_the_step(const std::filesystem::path& folder, int f
     }
     EXPECT_NEAR(spheres.column("fsum")[row], sum[3], 1e-12 * scale);
   }
+  for (const double overlap : contacts.column("overlap_n"))
+    if (bridges && overlap < 0) ++*bridges;
   return contacts.rows();
 }
 
@@ -128,8 +130,10 @@ TEST(StockModels, DumpsHaveTheForcesOfTheStepOnOneAndTwoRanks) {
       const auto run = run_liggghts(shaken_spheres(models, listed_every(200)), {}, ranks);
       ASSERT_EQ(run.exit_code, 0) << run.output;
       std::size_t contacts = 0;
+      int bridges = 0;
       for (int frame = 1; frame <= 10; ++frame)
-        contacts += expect_forces_of_the_step(run.folder, frame, sphere_mass * gravity);
+        contacts += expect_forces_of_the_step(run.folder, frame, sphere_mass * gravity, &bridges);
+      EXPECT_EQ(bridges > 0, models == bridging_model) << bridges;
       EXPECT_GT(contacts, 20u);
     }
   }

@@ -25,6 +25,7 @@ inline double hertz_force(double overlap, double reduced_radius) {
 /// Combinations of normal, tangential, cohesion and rolling models; the last ones have a normal
 /// force that depends on what the contact has been through, or acts across gaps.
 std::vector<std::string> stock_models();
+const char* const bridging_model = "model hertz tangential history cohesion easo/capillary/viscous";
 
 /// Two spheres above each other, at rest and 10 um deep in each other, the lower one (atom 2) 20 um
 /// deep in a floor at y = 0: a primitive plane, or two triangles written into `mesh`. `settings` of
