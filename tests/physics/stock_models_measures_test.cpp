@@ -147,6 +147,46 @@ TEST(StockModelsEnergy, RestingContactsHaveTheEnergyOfTheirLaw) {
   EXPECT_NEAR(linear.column("e").back(), expected, 1e-9 * expected);
 }
 
+// Ours between the spheres and Hertz at the wall, and the other way round: each listed in its own
+// way, 0.01 N and k delta^2 / 2 of the one, F of Hertz and 2/5 F delta of the other.
+TEST(StockModelsEnergy, OursAndStockModelsMeetAtAWall) {
+  const std::string ours = "model spring_dashpot tangential spring_dashpot";
+  const std::string hertz = "model hertz tangential history";
+  for (const bool hertz_at_wall : {true, false}) {
+    std::string deck = pressed_spheres(hertz_at_wall ? ours : hertz);
+    const std::string wall = "wall/gran " + (hertz_at_wall ? ours : hertz);
+    deck.replace(deck.find(wall), wall.size(), "wall/gran " + (hertz_at_wall ? hertz : ours));
+    const auto run = run_liggghts(deck +
+                                  "compute e all contact/energy\nthermo_style custom step c_e\n"
+                                  "thermo_modify format float %.15g\n"
+                                  "dump c all contact/gran 1 c.dump\nrun 0\n");
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const Table contacts = read_dump(run.folder / "c.dump");
+    ASSERT_EQ(contacts.rows(), 2u);
+    double energy = 0;
+    for (std::size_t c = 0; c < 2; ++c) {
+      const bool wall_contact = contacts.column("wall")[c] == 1;
+      const double delta = wall_contact ? 20e-6 : 10e-6;
+      const bool by_hertz = wall_contact == hertz_at_wall;
+      const double force = by_hertz ? hertz_force(delta, (wall_contact ? 1 : 0.5) * sphere_radius)
+                                    : linear_stiffness * delta;
+      EXPECT_NEAR(std::fabs(contacts.column("fy")[c]), force, 1e-9 * force);
+      energy += (by_hertz ? 0.4 : 0.5) * force * delta;
+    }
+    EXPECT_NEAR(read_thermo(run.output).column("e").back(), energy, 1e-9 * energy);
+  }
+}
+
+// fix halt ends a run in a step that was none of output when it began.
+TEST(StockModelsEnergy, ARunThatIsHaltedTellsOfItsLastStep) {
+  const auto run = run_liggghts(pressed_spheres("model hertz tangential history") +
+                                "variable now equal step\nfix h all halt 10 v_now >= 30\n"
+                                "compute e all contact/energy\nthermo 1000\n"
+                                "thermo_style custom step c_e\nrun 500\n");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(read_thermo(run.output).column("Step").back(), 30);
+}
+
 // Nothing is lost in an undamped collision but what velocity Verlet's step leaves; at the deepest
 // all of it is in the contact. fix print announces every seventh step, where there is no output.
 TEST(StockModelsEnergy, AnUndampedCollisionKeepsItsEnergy) {

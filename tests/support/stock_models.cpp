@@ -26,6 +26,8 @@ fix q13 all property/global surfaceTension scalar 0.07
 fix q14 all property/global fluidViscosity scalar 1e-3
 fix q15 all property/global contactAngle peratomtype 10
 fix q16 all property/global minSeparationDistanceRatio scalar 1.01
+fix q18 all property/global dampingRatioNormal peratomtypepair 1 0.2
+fix q19 all property/global dampingRatioTangential peratomtypepair 1 0.2
 fix q17 all property/global maxSeparationDistanceRatio scalar 1.1
 )";
 

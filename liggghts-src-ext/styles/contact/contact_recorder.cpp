@@ -142,24 +142,41 @@ void ContactRecorder::check_potentials() const {
   });
 }
 
-/// Adds the contacts of a style whose models do not report; false if it does so itself.
+void ContactRecorder::check_springs() const {
+  for_each_style([this](auto* style, const std::string& name) {
+    if (has_springs_alone(style)) return;
+    stop_run(lmp, caller_ +
+                      " needs springs and dashpots, expected 'model' spring_dashpot, hooke, "
+                      "hooke/stiffness, hertz or hertz/stiffness, 'tangential' spring_dashpot, "
+                      "history or off, 'rolling_friction' cdt, epsd, epsd2, epsd3 or off; " +
+                      name + " has others");
+  });
+}
+
 template <class Style>
-bool ContactRecorder::add_kept(Style* style) {
-  if (reports_itself(style)) return false;
-  const std::vector<ContactRecord>* const kept = step_contacts::of(style, update->ntimestep);
-  if (!kept)
+void ContactRecorder::add_contacts_of(Style* style, const std::string& name) {
+  const std::size_t first = records_.size();
+  if (reports_itself(style)) {
+    evaluate(style);
+  } else if (const auto* kept = step_contacts::of(style, update->ntimestep)) {
+    records_.insert(records_.end(), kept->begin(), kept->end());
+  } else if (update->setupflag) {
+    stop_run(lmp, caller_ + ": the contacts of " + name +
+                      " are not known yet when the run is set up: give what asks for them behind "
+                      "that fix");
+  } else {
     stop_run(lmp, caller_ +
                       ": the contacts of this step are not known, since nobody has announced "
                       "that they would be asked for: ask in steps of output or through a "
                       "fix that announces, as fix ave/time does; or put a 'run 0' before");
-  records_.insert(records_.end(), kept->begin(), kept->end());
-  return true;
+  }
+  for (std::size_t k = first; k < records_.size(); ++k) records_[k].rolling = rolling_law_of(style);
 }
 
 const std::vector<ContactRecord>& ContactRecorder::collect() {
   check_models();
   records_.clear();
-  PairGran* pair = static_cast<PairGran*>(force->pair_match("gran", 0));
+  const PairGran* pair = static_cast<PairGran*>(force->pair_match("gran", 0));
   // The list is good from the evaluation of the forces on until atoms move to other places in
   // memory, which takes the flag back: before the first run, after write_restart.
   const int stale = !pair->list || pair->list->inum != atom->nlocal || !pair->computeflag();
@@ -168,16 +185,14 @@ const std::vector<ContactRecord>& ContactRecorder::collect() {
   if (any_stale) stop_run(lmp, caller_ + ": contacts are not known here, put a 'run 0' before");
 
   armed_ = this;
-  if (!add_kept(pair)) PairAccess::evaluate(pair);
-  for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
-    FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
-    if (!add_kept(wall)) evaluate_wall(wall);
-  }
+  for_each_style([this](auto* style, const std::string& name) { add_contacts_of(style, name); });
   armed_ = NULL;
   return records_;
 }
 
-void ContactRecorder::evaluate_wall(FixWallGran* wall) {
+void ContactRecorder::evaluate(PairGran* pair) { PairAccess::evaluate(pair); }
+
+void ContactRecorder::evaluate(FixWallGran* wall) {
   // With 'store_force yes' an evaluation that applies no forces would overwrite the stored ones by
   // 0.
   std::vector<double> stored;

@@ -9,6 +9,7 @@
 #include "lmptype.h"
 #include "pointers.h"
 #include "rodpack/contact/contact_pairs.h"
+#include "rodpack/contact/rolling_spring.h"
 
 namespace LAMMPS_NS {
 
@@ -30,6 +31,7 @@ struct ContactRecord {
   // Dashpot constants, kg/s (that in the plane of contact acts where kt > 0); effective mass, kg.
   double damping_n, damping_t, effective_mass;
   int type_i, type_j;  // atom types; of a wall its material
+  rodpack::RollingLaw rolling;
 };
 
 /// The contact of a record as one of particles, which knows their centres of mass in the periodic
@@ -69,6 +71,8 @@ class ContactRecorder : protected Pointers {
   /// Stops if a normal force is no function of the overlap, so that it has neither energy nor
   /// stiffness.
   void check_potentials() const;
+  /// Stops if a contact has something else than springs and dashpots.
+  void check_springs() const;
 
   /// All records of this rank. A contact across the border of two ranks, or of a periodic image, is
   /// in two lists; one of them is primary. Stops if the contacts are not known yet. Collective.
@@ -85,9 +89,10 @@ class ContactRecorder : protected Pointers {
                       const LIGGGHTS::ContactModels::ForceData& i_forces);
 
  private:
-  void evaluate_wall(class FixWallGran* wall);
+  void evaluate(class PairGran* pair);
+  void evaluate(class FixWallGran* wall);
   template <class Style>
-  bool add_kept(Style* style);
+  void add_contacts_of(Style* style, const std::string& name);
   template <class Found>
   void for_each_style(Found found) const;
 
