@@ -200,7 +200,7 @@ void ContactRecorder::evaluate(FixWallGran* wall) {
   if (stored_array && atom->nlocal)
     stored.assign(stored_array[0], stored_array[0] + 3 * atom->nlocal);
   WallAccess::evaluate(wall);
-  if (!stored.empty()) std::copy(stored.begin(), stored.end(), stored_array[0]);
+  if (stored_array && !stored.empty()) std::copy(stored.begin(), stored.end(), stored_array[0]);
 }
 
 void ContactRecorder::add_contact(const LCM::SurfacesIntersectData& sidata,
