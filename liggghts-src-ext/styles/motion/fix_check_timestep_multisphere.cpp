@@ -42,13 +42,6 @@ std::string text_of(double value) {
   return buffer;
 }
 
-/// Half a period of a mass on a spring and dashpot, s; infinite where it does not swing.
-double half_period(double stiffness, double damping, double mass) {
-  const double decay = 0.5 * damping / mass;
-  const double squared = stiffness / mass - decay * decay;
-  return squared > 0.0 ? M_PI / std::sqrt(squared) : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, char** arg)
@@ -168,7 +161,7 @@ FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_single_
       const double timestep = rodpack::stability_limit(order_, eta) / std::sqrt(kn / mass);
       if (timestep < limit.timestep) limit = {timestep, kn / mass, 0, 0};
       const double damping = rodpack::damping_coefficient(eta, 0.5 * mass, kn);
-      duration = std::min(duration, half_period(kn, damping, 0.5 * mass));
+      duration = std::min(duration, rodpack::half_period(kn, damping, 0.5 * mass));
     }
   }
   steps_per_collision_ = duration / update->dt;
@@ -204,8 +197,8 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
       one.damping_t = record.damping_t;
     }
     add_rolling(record, one);
-    shortest_ =
-        std::min(shortest_, half_period(one.stiffness_n, one.damping_n, record.effective_mass));
+    shortest_ = std::min(
+        shortest_, rodpack::half_period(one.stiffness_n, one.damping_n, record.effective_mass));
     result.push_back(one);
   }
   return result;

@@ -24,3 +24,13 @@ TEST(PowerLaw, EnergyIsTheIntegralAndStiffnessTheSlopeOfTheForce) {
     EXPECT_NEAR(rodpack::tangent_stiffness(secant, exponent) / slope, 1, 1e-8);
   }
 }
+
+// pi sqrt(m / k (1 - eta^2)) with the dashpot 2 eta sqrt(m k); from the critical one on, never.
+TEST(PowerLaw, HalfAPeriodOfADampedSpring) {
+  const double k = 1000, mass = 3.5e-5;
+  for (const double eta : {0.0, 0.2, 0.9})
+    EXPECT_NEAR(rodpack::half_period(k, 2 * eta * std::sqrt(mass * k), mass) /
+                    (M_PI * std::sqrt(mass / (k * (1 - eta * eta)))),
+                1, 1e-12);
+  EXPECT_TRUE(std::isinf(rodpack::half_period(k, 2.01 * std::sqrt(mass * k), mass)));
+}
