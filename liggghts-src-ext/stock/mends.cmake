@@ -153,6 +153,47 @@ function(mend_contact_ends folder)
 ")
 endfunction()
 
+# Whoever lists contacts is told of them, with the forces of the step.
+function(mend_contact_reports folder)
+  mend(${folder} pair_gran_base.h "#include \"contact_ends.h\"" "#include \"contact_ends.h\"
+#include \"contact_reports.h\"")
+  mend(${folder} pair_gran_base.h "    cmodel.beginPass(sidata, i_forces, j_forces);
+" "    if (sidata.computeflag)
+      rodpack::begin_contacts(lmp, pg, cmodel.get_history_offset(\"tangential_spring\"));
+    cmodel.beginPass(sidata, i_forces, j_forces);
+")
+  mend(${folder} pair_gran_base.h "            const double relax_i = pg->relax(i);
+" "            rodpack::report_contact(sidata, i_forces);
+            const double relax_i = pg->relax(i);
+")
+  mend(${folder} fix_wall_gran.cpp "#include \"contact_ends.h\"" "#include \"contact_ends.h\"
+#include \"contact_reports.h\"")
+  mend(${folder} fix_wall_gran.cpp "void FixWallGran::post_force_wall(int vflag)
+{
+" "void FixWallGran::post_force_wall(int vflag)
+{
+  if (computeflag_ && impl)
+    rodpack::begin_contacts(lmp, this, impl->get_history_offset(\"tangential_spring\"));
+
+")
+  mend(${folder} fix_wall_gran_base.h "#include \"granular_wall.h\"" "#include \"granular_wall.h\"
+#include \"contact_reports.h\"")
+  mend(${folder} fix_wall_gran_base.h "        if (sidata.has_force_update)
+            force_update(f, torque, i_forces);
+" "        if (sidata.has_force_update) {
+            rodpack::report_contact(sidata, i_forces);
+            force_update(f, torque, i_forces);
+        }
+")
+  # Where the spring is in what a contact remembers.
+  foreach(model history luding_tn)
+    mend(${folder} tangential_model_${model}.h "hsetup->add_history_value(\"shearz\", \"1\");
+" "hsetup->add_history_value(\"shearz\", \"1\");
+      cmb->add_history_offset(\"tangential_spring\", history_offset);
+")
+  endforeach()
+endfunction()
+
 # The inertia tensor of a template of spheres: I_zy was averaged with I_zx.
 function(mend_inertia folder)
   mend(${folder} fix_template_multisphere.cpp "moi_[2][1] = (moi_[2][1]+moi_[2][0])/2.;"
@@ -165,5 +206,6 @@ function(mend_stock folder)
   mend_writing(${folder})
   mend_restarts(${folder})
   mend_contact_ends(${folder})
+  mend_contact_reports(${folder})
   mend_inertia(${folder})
 endfunction()

@@ -59,17 +59,39 @@ TEST(ContactErrors, SettingsOfStockModelsSayWhatIsRight) {
                {}, message);
 }
 
-// A stock model lists nothing to the recorder: those who ask for the contacts say so.
-TEST(ContactErrors, ContactsOfOtherModels) {
+// A contact that remembers what it has been through has no elastic energy; its force is listed.
+TEST(ContactErrors, EnergyOfModelsWithoutAPotential) {
+  const std::string properties =
+      "fix e all property/global youngsModulus peratomtype 1e6\n"
+      "fix nu all property/global poissonsRatio peratomtype 0.3\n"
+      "fix cr all property/global coefficientRestitution peratomtypepair 1 0.5\n"
+      "fix cv all property/global characteristicVelocity scalar 1\n"
+      "fix ke all property/global coefficientMaxElasticStiffness peratomtypepair 1 3\n"
+      "fix ka all property/global coefficientAdhesionStiffness peratomtypepair 1 0.5\n"
+      "fix ph all property/global coefficientPlasticityDepth peratomtypepair 1 0.1\n";
+  const std::string stock = "model hooke/hysteresis tangential history";
+  const std::string wall = "fix w all wall/gran " + stock + " primitive type 1 yplane -0.01\n";
+  const char* const needs =
+      "compute contact/energy needs a normal force that is a function of the "
+      "overlap, expected 'model' spring_dashpot, hooke, hooke/stiffness, ";
+  expect_error(small_deck(stock, properties + "compute c all contact/energy"), {}, needs);
+  expect_error(small_deck(ours, properties + wall + "compute c all contact/energy"), {},
+               "fix wall/gran w has another");
+  const auto run = run_liggghts(small_deck(stock, properties + wall +
+                                                      "dump d all contact/gran 1 c.dump\n"
+                                                      "compute c all contact/overlap 1e-4"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
+// Contacts of stock models are those that the step has evaluated: in a step that nobody has
+// announced they are not kept.
+TEST(ContactErrors, ContactsThatNobodyHasAnnounced) {
   const std::string stock = "model hooke/stiffness tangential history";
-  expect_error(small_deck(stock, "compute c all contact/energy\nvariable v equal c_c"), {},
-               "compute contact/energy lists contacts of 'model spring_dashpot'");
-  expect_error(small_deck(stock, "dump d all contact/gran 1 c.dump"), {},
-               "dump contact/gran lists contacts of 'model spring_dashpot'");
-  expect_error(small_deck(ours, "fix w all wall/gran " + stock +
-                                    " primitive type 1 yplane -0.01\n"
-                                    "compute c all contact/overlap 1e-4"),
-               {}, "fix wall/gran w has another");
+  const std::string late = "write_dump all contact/gran c.dump";
+  expect_error(small_deck(stock, late), {}, "put a 'run 0' before");
+  expect_error(small_deck(stock, "run 1\nreset_timestep 0\n" + late), {},
+               "the contacts of this step are not known");
+  EXPECT_EQ(run_liggghts(small_deck(stock, "run 1\n" + late)).exit_code, 0);
 }
 
 TEST(ContactErrors, ComputesAndDumps) {

@@ -10,7 +10,9 @@
 #include "pair_gran.h"
 #include "particle_identity.h"
 #include "rodpack/contact/contact_law.h"
+#include "step_contacts.h"
 #include "stop_run.h"
+#include "style_laws.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
@@ -63,33 +65,118 @@ struct WallAccess : FixWallGran {
   }
 };
 
-template <class Style>
-bool reports(Style* style) {
-  return style->contact_match("normal", "spring_dashpot") &&
-         (style->contact_match("tangential", "spring_dashpot") ||
-          style->contact_match("tangential", "off"));
+/// Whether this record is the one of its contact that counts.
+bool is_primary(const Atom& atom, int i, int j) {
+  if (j < 0 || j < atom.nlocal) return true;
+  if (atom.tag[i] != atom.tag[j]) return atom.tag[i] < atom.tag[j];
+  // A sphere that touches its own periodic image sees it on both sides.
+  for (int d = 0; d < 3; ++d) {
+    const double distance = atom.x[j][d] - atom.x[i][d];
+    if (distance != 0.0) return distance > 0.0;
+  }
+  return true;
 }
 
 }  // namespace
 
-void ContactRecorder::check_models() const {
-  const char* needs =
-      " lists contacts of 'model spring_dashpot' with 'tangential spring_dashpot' or none; ";
-  Pair* pair = force->pair_match("gran", 0);
-  if (!pair) stop_run(lmp, caller_ + needs + "there is no pair_style gran");
-  if (!reports(static_cast<PairGran*>(pair)))
-    stop_run(lmp, caller_ + needs + "pair_style gran has another");
+ContactRecord record_of(const Atom& atom, const LCM::SurfacesIntersectData& contact,
+                        const LCM::ForceData& on_i, double exponent) {
+  ContactRecord record = {};
+  record.i = contact.i;
+  record.j = contact.is_wall ? -1 : contact.j;
+  record.primary = is_primary(atom, record.i, record.j);
+  vectorCopy3D(contact.en, record.normal);
+  for (int d = 0; d < 3; ++d)
+    record.point[d] = rodpack::lever_component(atom.x[contact.i][d], contact.cri, contact.en[d]);
+  vectorCopy3D(on_i.delta_F, record.force);
+  record.overlap = contact.deltan;
+  record.type_i = contact.itype;
+  record.type_j = contact.jtype;
+  record.exponent = exponent;
+  if (!(exponent > 0.0)) return record;
+  record.kn = contact.kn;
+  record.damping_n = contact.gamman;
+  record.damping_t = contact.gammat;
+  record.effective_mass = contact.meff;
+  return record;
+}
+
+ContactRecorder::ContactRecorder(LAMMPS* lmp, const std::string& caller, Asked asked)
+    : Pointers(lmp), caller_(caller), asked_(std::move(asked)) {
+  step_contacts::follow(this);
+}
+
+ContactRecorder::~ContactRecorder() { step_contacts::forget(this); }
+
+/// Calls `found` with each style that evaluates contacts, and what messages call it.
+template <class Found>
+void ContactRecorder::for_each_style(Found found) const {
+  found(static_cast<PairGran*>(force->pair_match("gran", 0)), std::string("pair_style gran"));
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
-    if (!reports(wall))
-      stop_run(lmp, caller_ + needs + "fix wall/gran " + wall->id + " has another");
+    found(wall, std::string("fix wall/gran ") + wall->id);
   }
+}
+
+void ContactRecorder::check_models() const {
+  if (!force->pair_match("gran", 0))
+    stop_run(lmp, caller_ + " lists contacts of pair_style gran, which there is not");
+  if (atom->shapetype_flag || atom->superquadric_flag)
+    stop_run(lmp, caller_ + " lists contacts of spheres, expected 'atom_style sphere'");
+  for_each_style([this](auto* style, const std::string& name) {
+    if (reports_itself(style) || step_contacts::are_told()) return;
+    stop_run(lmp, caller_ +
+                      " lists contacts of 'model spring_dashpot' with 'tangential spring_dashpot' "
+                      "or none in a LIGGGHTS that is not rodpack's own; " +
+                      name + " has another");
+  });
+}
+
+void ContactRecorder::check_potentials() const {
+  for_each_style([this](auto* style, const std::string& name) {
+    if (exponent_of(style) > 0.0) return;
+    stop_run(lmp, caller_ +
+                      " needs a normal force that is a function of the overlap, expected 'model' "
+                      "spring_dashpot, hooke, hooke/stiffness, hertz or hertz/stiffness; " +
+                      name + " has another");
+  });
+}
+
+void ContactRecorder::check_springs() const {
+  for_each_style([this](auto* style, const std::string& name) {
+    if (has_springs_alone(style)) return;
+    stop_run(lmp, caller_ +
+                      " needs springs and dashpots, expected 'model' spring_dashpot, hooke, "
+                      "hooke/stiffness, hertz or hertz/stiffness, 'tangential' spring_dashpot, "
+                      "history or off, 'rolling_friction' cdt, epsd, epsd2, epsd3 or off; " +
+                      name + " has others");
+  });
+}
+
+template <class Style>
+void ContactRecorder::add_contacts_of(Style* style, const std::string& name) {
+  const std::size_t first = records_.size();
+  if (reports_itself(style)) {
+    evaluate(style);
+  } else if (const auto* kept = step_contacts::of(style, update->ntimestep)) {
+    records_.insert(records_.end(), kept->begin(), kept->end());
+  } else if (update->setupflag) {
+    stop_run(lmp, caller_ + ": the contacts of " + name +
+                      " are not known yet when the run is set up: give what asks for them behind "
+                      "that fix");
+  } else {
+    stop_run(lmp, caller_ +
+                      ": the contacts of this step are not known, since nobody has announced "
+                      "that they would be asked for: ask in steps of output or through a "
+                      "fix that announces, as fix ave/time does; or put a 'run 0' before");
+  }
+  for (std::size_t k = first; k < records_.size(); ++k) records_[k].rolling = rolling_law_of(style);
 }
 
 const std::vector<ContactRecord>& ContactRecorder::collect() {
   check_models();
   records_.clear();
-  PairGran* pair = static_cast<PairGran*>(force->pair_match("gran", 0));
+  const PairGran* pair = static_cast<PairGran*>(force->pair_match("gran", 0));
   // The list is good from the evaluation of the forces on until atoms move to other places in
   // memory, which takes the flag back: before the first run, after write_restart.
   const int stale = !pair->list || pair->list->inum != atom->nlocal || !pair->computeflag();
@@ -98,14 +185,14 @@ const std::vector<ContactRecord>& ContactRecorder::collect() {
   if (any_stale) stop_run(lmp, caller_ + ": contacts are not known here, put a 'run 0' before");
 
   armed_ = this;
-  PairAccess::evaluate(pair);
-  for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k)
-    evaluate_wall(static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k)));
+  for_each_style([this](auto* style, const std::string& name) { add_contacts_of(style, name); });
   armed_ = NULL;
   return records_;
 }
 
-void ContactRecorder::evaluate_wall(FixWallGran* wall) {
+void ContactRecorder::evaluate(PairGran* pair) { PairAccess::evaluate(pair); }
+
+void ContactRecorder::evaluate(FixWallGran* wall) {
   // With 'store_force yes' an evaluation that applies no forces would overwrite the stored ones by
   // 0.
   std::vector<double> stored;
@@ -113,44 +200,16 @@ void ContactRecorder::evaluate_wall(FixWallGran* wall) {
   if (stored_array && atom->nlocal)
     stored.assign(stored_array[0], stored_array[0] + 3 * atom->nlocal);
   WallAccess::evaluate(wall);
-  if (!stored.empty()) std::copy(stored.begin(), stored.end(), stored_array[0]);
+  if (stored_array && !stored.empty()) std::copy(stored.begin(), stored.end(), stored_array[0]);
 }
 
-bool ContactRecorder::is_primary(int i, int j) const {
-  if (j < 0 || j < atom->nlocal) return true;
-  if (atom->tag[i] != atom->tag[j]) return atom->tag[i] < atom->tag[j];
-  // A sphere that touches its own periodic image sees it on both sides.
-  for (int d = 0; d < 3; ++d) {
-    const double distance = atom->x[j][d] - atom->x[i][d];
-    if (distance != 0.0) return distance > 0.0;
-  }
-  return true;
-}
-
-void ContactRecorder::add_contact(const LIGGGHTS::ContactModels::SurfacesIntersectData& sidata,
-                                  const LIGGGHTS::ContactModels::ForceData& i_forces) {
-  ContactRecord record;
-  record.i = sidata.i;
-  record.j = sidata.is_wall ? -1 : sidata.j;
-  record.primary = is_primary(record.i, record.j);
-  vectorCopy3D(sidata.en, record.normal);
-  for (int d = 0; d < 3; ++d)
-    record.point[d] = rodpack::lever_component(atom->x[sidata.i][d], sidata.cri, sidata.en[d]);
-  vectorCopy3D(i_forces.delta_F, record.force);
-  record.overlap = sidata.deltan;
-  record.spring = 0.0;
-  record.kn = sidata.kn;
-  record.kt = 0.0;
-  record.damping_n = sidata.gamman;
-  record.damping_t = sidata.gammat;
-  record.effective_mass = sidata.meff;
-  record.type_i = sidata.itype;
-  record.type_j = sidata.jtype;
-  records_.push_back(record);
+void ContactRecorder::add_contact(const LCM::SurfacesIntersectData& sidata,
+                                  const LCM::ForceData& i_forces) {
+  records_.push_back(record_of(*atom, sidata, i_forces, 1.0));
 }
 
 void ContactRecorder::add_tangential(const double* spring, double kt,
-                                     const LIGGGHTS::ContactModels::ForceData& i_forces) {
+                                     const LCM::ForceData& i_forces) {
   ContactRecord& record = records_.back();
   record.spring = vectorMag3D(spring);
   record.kt = kt;

@@ -62,12 +62,13 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     if (cap.find("totalForceCap") >= 0) cap.choice("totalForceCap", {"off", "on"});
   }
 
-  void postSettings(IContactHistorySetup* hsetup, ContactModelBase*) {
+  void postSettings(IContactHistorySetup* hsetup, ContactModelBase* model) {
     slots_ = static_cast<int>(slots_setting_);
     for (int value = 0; value < 3 * (slots_ + 1); ++value) {
       const int index = hsetup->add_history_value("spring_dashpot_" + std::to_string(value), "1");
       if (value == 0) offset_ = index;
     }
+    model->add_history_offset("tangential_spring", offset_);
     hsetup->add_history_value("spring_dashpot_count", "0");
     hsetup->add_history_value("spring_dashpot_step", "0");
     hsetup->add_history_value("spring_dashpot_since", "0");

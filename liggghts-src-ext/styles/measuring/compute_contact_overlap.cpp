@@ -13,7 +13,9 @@ namespace LAMMPS_NS {
 
 ComputeContactOverlap::ComputeContactOverlap(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : VectorCompute(lmp, iarg, narg, arg, 3, false),
-      recorder_(lmp, std::string("compute ") + style) {
+      recorder_(lmp, std::string("compute ") + style,
+                [this](bigint step) { return matchstep(step) != 0; }) {
+  timeflag = 1;
   StyleArguments arguments(lmp, narg, arg, iarg, "Compute");
   limit_ = arguments.number("L", a_length);
   arguments.require_end();

@@ -22,7 +22,9 @@ ComputeStressGoldhirsch::ComputeStressGoldhirsch(LAMMPS* lmp, int& iarg, int nar
     : Compute(lmp, iarg, narg, arg),
       options_(read_averaging_options(lmp, narg, arg, iarg)),
       averages_(options_.start()),
-      recorder_(lmp, std::string("compute ") + style) {
+      recorder_(lmp, std::string("compute ") + style,
+                [this](bigint step) { return matchstep(step) != 0; }) {
+  timeflag = 1;
   iarg = narg;
   if (averages_.sums().size() > INT_MAX)
     stop_run(lmp, *this,

@@ -15,10 +15,15 @@
 #include "error.h"
 #include "fix_property_global.h"
 #include "fix_template_sphere.h"
+#include "force.h"
 #include "gather.h"
 #include "modify.h"
 #include "multisphere_fix.h"
+#include "pair_gran.h"
 #include "particle_identity.h"
+#include "rodpack/contact/contact_law.h"
+#include "rodpack/contact/power_law.h"
+#include "rodpack/contact/rolling_spring.h"
 #include "rodpack/motion/stability_limit.h"
 #include "stop_run.h"
 #include "style_arguments.h"
@@ -42,11 +47,14 @@ std::string text_of(double value) {
 FixCheckTimestepMultisphere::FixCheckTimestepMultisphere(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg),
       options_(lmp),
-      recorder_(lmp, std::string("fix ") + style),
+      recorder_(lmp, std::string("fix ") + style,
+                [this](bigint step) { return step % nevery == 0; }),
       warn_(0.8),
       error_(true),
       warned_(0.0),
       order_(0),
+      single_contact_(false),
+      shortest_(0.0),
       fraction_(0.0),
       steps_per_collision_(0.0),
       contacts_(0) {
@@ -74,6 +82,9 @@ int FixCheckTimestepMultisphere::setmask() { return FixConst::END_OF_STEP; }
 
 void FixCheckTimestepMultisphere::init() {
   recorder_.check_models();
+  recorder_.check_springs();
+  single_contact_ = static_cast<PairGran*>(force->pair_match("gran", 0))
+                        ->contact_match("normal", "spring_dashpot");
   order_ = running_order();
 }
 
@@ -104,6 +115,11 @@ double FixCheckTimestepMultisphere::property(const char* name, int i, int j) con
   Fix* fix = modify->find_fix_property(name, "property/global", "peratomtypepair", types, types,
                                        style, false);
   return fix ? static_cast<FixPropertyGlobal*>(fix)->compute_array(i - 1, j - 1) : 0.0;
+}
+
+double FixCheckTimestepMultisphere::scalar_property(const char* name) const {
+  Fix* fix = modify->find_fix_property(name, "property/global", "scalar", 0, 0, style, false);
+  return fix ? static_cast<FixPropertyGlobal*>(fix)->compute_scalar() : 0.0;
 }
 
 /// The groups of the fixes of a style, as bits.
@@ -144,7 +160,8 @@ FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_single_
       const double kn = property("kn", i, j), eta = property("dampingRatioNormal", i, j);
       const double timestep = rodpack::stability_limit(order_, eta) / std::sqrt(kn / mass);
       if (timestep < limit.timestep) limit = {timestep, kn / mass, 0, 0};
-      duration = std::min(duration, M_PI * std::sqrt(0.5 * mass / (kn * (1.0 - eta * eta))));
+      const double damping = rodpack::damping_coefficient(eta, 0.5 * mass, kn);
+      duration = std::min(duration, rodpack::half_period(kn, damping, 0.5 * mass));
     }
   }
   steps_per_collision_ = duration / update->dt;
@@ -171,15 +188,43 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
       one.arm_i[d] = contact.point[d] - contact.centre_i[d];
       one.arm_j[d] = contact.point[d] - contact.centre_j[d];
     }
-    one.stiffness_n = record.kn;
+    one.stiffness_n = rodpack::tangent_stiffness(record.kn, record.exponent);
+    // It has only just touched, or is held by a liquid bridge.
+    if (!(one.stiffness_n > 0.0)) continue;
     one.damping_n = record.damping_n;
     if (sticks) {
       one.stiffness_t = record.kt;
       one.damping_t = record.damping_t;
     }
+    add_rolling(record, one);
+    shortest_ = std::min(
+        shortest_, rodpack::half_period(one.stiffness_n, one.damping_n, record.effective_mass));
     result.push_back(one);
   }
   return result;
+}
+
+void FixCheckTimestepMultisphere::add_rolling(const ContactRecord& record,
+                                              NetworkContact& contact) const {
+  if (record.rolling == rodpack::RollingLaw::none) return;
+  const double ri = atom->radius[record.i];
+  rodpack::RollingContact rolling = {};
+  rolling.law = record.rolling;
+  rolling.kn = record.kn;
+  rolling.kt = record.kt;
+  rolling.reduced_radius = ri;
+  rolling.inertia = atom->rmass[record.i] * ri * ri;
+  if (record.j >= 0) {
+    const double rj = atom->radius[record.j];
+    rolling.reduced_radius = ri * rj / (ri + rj);
+    rolling.inertia = rodpack::effective_mass(rolling.inertia, atom->rmass[record.j] * rj * rj);
+  }
+  rolling.friction = property("coefficientRollingFriction", record.type_i, record.type_j);
+  rolling.damping_ratio =
+      property("coefficientRollingViscousDamping", record.type_i, record.type_j);
+  rolling.factor = scalar_property("rollingStiffness");
+  contact.stiffness_r = rodpack::rolling_stiffness(rolling);
+  contact.damping_r = rodpack::rolling_damping(rolling);
 }
 
 /// This rank's particles: bodies, and plain spheres that belong to none.
@@ -233,6 +278,7 @@ std::vector<FixCheckTimestepMultisphere::IdentifiedBody> FixCheckTimestepMultisp
 /// rank 0, so that the result is that of one rank.
 FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_contacts() {
   const ParticleIdentity particles(lmp);
+  shortest_ = std::numeric_limits<double>::infinity();
   std::vector<NetworkContact> contacts = gather_on_first(world, contacts_here(particles));
   std::vector<IdentifiedBody> found = gather_on_first(world, bodies_here(particles));
   double result[4] = {0.0, 0.0, 0.0, 0.0};
@@ -268,10 +314,14 @@ FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_contact
 void FixCheckTimestepMultisphere::check() {
   const double mass = lightest_mass();
   if (!(mass > 0.0)) return;  // nothing is known yet
-  Limit limit = limit_of_single_contact(mass);
+  Limit limit = {std::numeric_limits<double>::infinity(), 0.0, 0, 0};
+  if (single_contact_) limit = limit_of_single_contact(mass);
   if (atom->natoms > 0) {
     const Limit present = limit_of_contacts();
     if (present.timestep <= limit.timestep) limit = present;
+    MPI_Allreduce(MPI_IN_PLACE, &shortest_, 1, MPI_DOUBLE, MPI_MIN, world);
+    if (!single_contact_)
+      steps_per_collision_ = std::isfinite(shortest_) ? shortest_ / update->dt : 0.0;
   }
   const double none = std::numeric_limits<double>::infinity();
   fraction_ = limit.timestep > 0.0 ? update->dt / limit.timestep : none;

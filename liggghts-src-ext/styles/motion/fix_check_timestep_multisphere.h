@@ -45,10 +45,12 @@ class FixCheckTimestepMultisphere : public Fix {
   void check();
   int running_order() const;
   double property(const char* name, int i, int j) const;
+  double scalar_property(const char* name) const;
   int groups_of(const char* of_style) const;
   double lightest_mass() const;
   Limit limit_of_single_contact(double mass);
   std::vector<rodpack::NetworkContact> contacts_here(const class ParticleIdentity& particles);
+  void add_rolling(const ContactRecord& record, rodpack::NetworkContact& contact) const;
   std::vector<IdentifiedBody> bodies_here(const class ParticleIdentity& particles) const;
   Limit limit_of_contacts();
   void report(const Limit& limit);
@@ -59,6 +61,9 @@ class FixCheckTimestepMultisphere : public Fix {
   bool error_;
   double warned_;  // fraction of the last warning of this run
   int order_;      // of the integrator that runs, 0: velocity Verlet
+
+  bool single_contact_;  // is known by its properties, whatever the contacts that are there
+  double shortest_;      // half a period of the contacts of this rank, s
 
   double fraction_, steps_per_collision_;
   int contacts_;

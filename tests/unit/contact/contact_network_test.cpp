@@ -58,6 +58,24 @@ TEST(ContactNetwork, FrictionHoldsTranslationAndRotation) {
   }
 }
 
+// Against a spring of rolling it turns alone: k_r / I, with the damping ratio c_r / 2 sqrt(I k_r);
+// two spheres turn against each other.
+TEST(ContactNetwork, RollingFrictionHoldsRotation) {
+  const double kr = 20 * k * radius * radius, moment = 0.4 * mass * radius * radius;
+  for (const bool wall : {true, false}) {
+    NetworkContact rolling = contact(0, wall ? -1 : 1, 0.1);
+    const double reduced = wall ? moment : 0.5 * moment;
+    rolling.stiffness_r = kr;
+    rolling.damping_r = 2 * 0.15 * std::sqrt(reduced * kr);
+    const NetworkLimit limit = network_limit(0, {sphere(), sphere()}, {rolling});
+    EXPECT_NEAR(limit.stiffness / (kr / reduced), 1, 1e-9) << wall;
+    EXPECT_NEAR(limit.timestep * std::sqrt(kr / reduced) / stability_limit(0, 0.15), 1, 1e-6);
+  }
+  NetworkContact wrong = contact(0, -1, 0.1);
+  wrong.stiffness_r = -1;
+  EXPECT_THROW(network_limit(0, {sphere()}, {wrong}), std::invalid_argument);
+}
+
 // In three dimensions there are two such directions, not one of twice the stiffness.
 TEST(ContactNetwork, BothDirectionsInThePlaneOfContact) {
   NetworkBody body = sphere();

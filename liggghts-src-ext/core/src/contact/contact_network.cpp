@@ -41,10 +41,10 @@ Matrix6 unit_mass(const NetworkBody& body, std::size_t index) {
   return result;
 }
 
-/// Forms g g^T of one side of a contact along its normal and in its plane, coordinates of unit
-/// mass.
+/// Forms g g^T of one side of a contact along its normal, in its plane, and of rotations about all
+/// axes, coordinates of unit mass.
 struct Side {
-  Matrix6 along, across;
+  Matrix6 along, across, turning;
 };
 
 Side side_of(const NetworkContact& contact, const double* arm, const Matrix6& scale) {
@@ -56,7 +56,8 @@ Side side_of(const NetworkContact& contact, const double* arm, const Matrix6& sc
     g = scale * g;
     return g * g.transpose();
   };
-  return {form(n), form(t) + form(b)};
+  const Matrix6 rotations = scale.rightCols<3>() * scale.rightCols<3>().transpose();
+  return {form(n), form(t) + form(b), rotations};
 }
 
 double largest_eigenvalue(const Matrix6& form) {
@@ -65,9 +66,15 @@ double largest_eigenvalue(const Matrix6& form) {
   return std::max(0.0, solver.eigenvalues().maxCoeff());
 }
 
-/// A contact's constants along the normal and in its plane.
+/// A contact's constants along the normal, in its plane and against rotation.
 struct Constants {
-  double n, t;
+  double n, t, r;
+
+  Matrix6 times(const Side& side) const {
+    Matrix6 sum = n * side.along + t * side.across;
+    if (r > 0.0) sum += r * side.turning;
+    return sum;
+  }
 };
 
 class Network {
@@ -82,11 +89,12 @@ class Network {
         throw std::invalid_argument("contact network: bodies " + std::to_string(contact.i) +
                                     " and " + std::to_string(contact.j) + " of " +
                                     std::to_string(n));
-      if (!(contact.stiffness_n > 0.0) || !(contact.stiffness_t >= 0.0))
-        throw std::invalid_argument("contact network: stiffnesses " +
-                                    std::to_string(contact.stiffness_n) + " and " +
-                                    std::to_string(contact.stiffness_t) +
-                                    ", expected > 0 along the normal and >= 0 across");
+      if (!(contact.stiffness_n > 0.0) || !(contact.stiffness_t >= 0.0) ||
+          !(contact.stiffness_r >= 0.0))
+        throw std::invalid_argument(
+            "contact network: stiffnesses " + std::to_string(contact.stiffness_n) + ", " +
+            std::to_string(contact.stiffness_t) + " and " + std::to_string(contact.stiffness_r) +
+            ", expected > 0 along the normal, >= 0 across and in rolling");
       here_.push_back(side_of(contact, contact.arm_i, scales[contact.i]));
       there_.push_back(contact.j < 0 ? here_.back()
                                      : side_of(contact, contact.arm_j, scales[contact.j]));
@@ -133,10 +141,8 @@ class Network {
       // A partner that is held is a wall: it has no part in the motion.
       const bool both = contact.j >= 0 && moves(contact.i) && moves(contact.j);
       const double s = both ? weights[contact.j] / weights[contact.i] : 0.0;
-      sums[contact.i] += (1.0 + s) * (value.n * here_[k].along + value.t * here_[k].across);
-      if (contact.j >= 0)
-        sums[contact.j] +=
-            (both ? 1.0 + 1.0 / s : 1.0) * (value.n * there_[k].along + value.t * there_[k].across);
+      sums[contact.i] += (1.0 + s) * value.times(here_[k]);
+      if (contact.j >= 0) sums[contact.j] += (both ? 1.0 + 1.0 / s : 1.0) * value.times(there_[k]);
     }
     std::vector<double> result;
     for (const Matrix6& sum : sums) result.push_back(largest_eigenvalue(sum));
@@ -168,15 +174,17 @@ NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
     };
     include(contact.damping_n / contact.stiffness_n);
     if (contact.stiffness_t > 0.0) include(contact.damping_t / contact.stiffness_t);
+    if (contact.stiffness_r > 0.0) include(contact.damping_r / contact.stiffness_r);
   }
   motions.stiffness = network.bound(
       [](const NetworkContact& c) {
-        return Constants{c.stiffness_n, c.stiffness_t};
+        return Constants{c.stiffness_n, c.stiffness_t, c.stiffness_r};
       },
       &result.stiffest);
   if (!(motions.stiffness > 0.0)) return result;  // nothing can move
   motions.damping = network.bound([](const NetworkContact& c) {
-    return Constants{c.damping_n, c.stiffness_t > 0.0 ? c.damping_t : 0.0};
+    return Constants{c.damping_n, c.stiffness_t > 0.0 ? c.damping_t : 0.0,
+                     c.stiffness_r > 0.0 ? c.damping_r : 0.0};
   });
   result.stiffness = motions.stiffness;
   result.damping = motions.damping;
@@ -194,7 +202,8 @@ NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
       const auto rest = [rate](double damping, double stiffness) {
         return stiffness > 0.0 ? std::max(0.0, damping - stiffness / rate) : 0.0;
       };
-      return Constants{rest(c.damping_n, c.stiffness_n), rest(c.damping_t, c.stiffness_t)};
+      return Constants{rest(c.damping_n, c.stiffness_n), rest(c.damping_t, c.stiffness_t),
+                       rest(c.damping_r, c.stiffness_r)};
     }) <= rate;
   };
   if (open > 1.001 * safe && fast_decay_is_stable(open)) safe = open;
