@@ -29,11 +29,13 @@ void plot_bins(const DirectionHistogram& histogram, double last, const std::stri
   commands += "set ylabel '" + density + " / isotropic'\n";
   commands += "set xrange [0:" + number_text(last) + "]\n";
   commands += "set yrange [0:" + number_text(1.08 * highest(histogram)) + "]\n";
-  commands += "set xtics " + number_text(last / 6) + "\nset key outside top right horizontal\n";
+  commands += "set xtics " + number_text(last / 6) +
+              "\nset mxtics 3\nset key outside top right horizontal\n";
   commands +=
       "plot $h using (($1+$2)/2):3:($2-$1) with boxes linecolor '#8CBBD9', "
-      "$h using (($1+$2)/2):($4 > 0 ? $3 : NaN):4 with yerrorbars pointtype 7 pointsize 0 "
-      "linewidth 0.8 linecolor '";
+      "$h using (($1+$2)/2):($4 > 0 ? $3-$4 : NaN):(0):(2*$4) with vectors heads size ";
+  commands += number_text(last / 150);
+  commands += ",90 linewidth 0.8 linecolor '";
   commands += colour::blue;
   commands += "', 1 with lines dashtype 2 linewidth 1 linecolor '";
   commands += colour::grey;

@@ -66,13 +66,14 @@ SpatialWalls find_spatial_walls(const Frame& bodies, const SpaceOptions& space,
                       " beyond the lower one, found " + number_text(walls.low[axis]) + " and " +
                       number_text(walls.high[axis]));
     // The images of what crosses the border are one period of the dump away, no other length.
-    if (given && walls.periodic[axis] &&
-        std::abs(walls.high[axis] - walls.low[axis] -
-                 (bodies.bounds[axis][1] - bodies.bounds[axis][0])) >
-            1e-9 * (walls.high[axis] - walls.low[axis]))
+    const double slack = 1e-9 * (walls.high[axis] - walls.low[axis]);
+    const auto& bounds = bodies.bounds[axis];
+    if (walls.periodic[axis] && (std::abs(walls.low[axis] - bounds[0]) > slack ||
+                                 std::abs(walls.high[axis] - bounds[1]) > slack))
       throw DataError(walls.source + ": expected the period of the dump along " + axis_names[axis] +
-                      ", " + number_text(bodies.bounds[axis][1] - bodies.bounds[axis][0]) +
-                      " m, found " + number_text(walls.high[axis] - walls.low[axis]) + " m");
+                      ", " + number_text(bounds[0]) + " to " + number_text(bounds[1]) +
+                      " m, found " + number_text(walls.low[axis]) + " to " +
+                      number_text(walls.high[axis]) + " m");
   }
   if (!space.cylinder.empty()) {
     add_cylinder(space.cylinder, walls);

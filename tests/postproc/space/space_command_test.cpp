@@ -90,4 +90,39 @@ TEST_F(SpaceCommand, OptionsOfTheOtherKindOfSceneAreRefused) {
                  "--cylinder: expected a positive radius, found 0");
 }
 
+TEST_F(SpaceCommand, RdfWritesItsTablesAndFigures) {
+  const auto result =
+      run("rdf b.dump --vertical z --r-max 6 --axial 6 --axial-bin 0.5 --margin 12");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr(" centres further than 12 d_p from walls and surface\n"));
+  EXPECT_THAT(
+      result.output,
+      HasSubstr(" centres further than 11 d_p from walls and surface\nwritten: rdf.csv .png "
+                ".svg, rdf_axial.csv .png .svg\n"));
+  expect_files({"rdf.png", "rdf.svg", "rdf_axial.png", "rdf_axial.svg"});
+  EXPECT_EQ(read_table(folder_ / "rdf.csv").rows(), 60U);
+  const auto axial = read_table(folder_ / "rdf_axial.csv");
+  EXPECT_EQ(axial.column("along_over_dp")[0], 0.25);
+  double pairs = 0;
+  for (const double each : axial.column("pairs")) pairs += each;
+  EXPECT_GT(pairs, 1000);
+}
+
+TEST_F(SpaceCommand, RdfRefusesWhatItCannotMeasure) {
+  expect_refusal("rdf b.dump", 1, "a scene in space needs --vertical");
+  expect_refusal("rdf b.dump --vertical z --explain 1", 2,
+                 "--explain: expected in a scene in a plane alone");
+  expect_refusal("rdf b.dump --vertical z --axial 1 --axial-bin 0.6", 2,
+                 "--axial: expected at least 2 bins");
+  expect_refusal("rdf b.dump --vertical z --axial 100 --axial-bin 0.01", 2,
+                 "--axial-bin: expected at most 1000 bins up to --axial, found 10000");
+  expect_refusal("rdf b.dump --vertical z --axial 40", 1,
+                 "fewer than 2 particles lie further than");
+  rodpack::test::SyntheticPacking planar;
+  planar.fill();
+  put(folder_ / "planar.dump", planar.bodies_frame(1));
+  expect_refusal("rdf planar.dump --axial 3", 2, "--axial: expected in a scene in space alone");
+  EXPECT_FALSE(fs::exists(folder_ / "rdf.csv"));
+}
+
 }  // namespace

@@ -132,7 +132,8 @@ TEST_F(SpatialReading, WhatCannotBeIsRefusedByName) {
               HasSubstr("--cylinder: expected a dump with walls along y, which is periodic"));
   EXPECT_THAT(
       error_of(periodic, {"z", {0, 0.1, 0, 0.1, 0, 0.3}, {}}),
-      HasSubstr("--container: expected the period of the dump along y, 0.2 m, found 0.1 m"));
+      HasSubstr(
+          "--container: expected the period of the dump along y, 0 to 0.2 m, found 0 to 0.1 m"));
   PackingOptions long_rods;
   long_rods.aspect_ratio = 101;
   EXPECT_THAT(error_of(periodic, {"z", {}, {}}, long_rods),
