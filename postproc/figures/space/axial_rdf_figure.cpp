@@ -19,7 +19,7 @@ void plot_axial_rdf(const AxialRdf& rdf, const std::string& stem) {
       "set size ratio -1\nset tics out nomirror\n"
       "set xlabel 'along the axis / {/:Italic d}_p'\n"
       "set ylabel 'across the axis / {/:Italic d}_p'\n"
-      "set cblabel 'pair correlation {/:Italic g}'\n";
+      "set cblabel 'pair correlation {/:Italic g}, to its 99 % quantile' offset 1,0\n";
   commands += "set cbrange [0:" + number_text(top, 3) + "]\n";
   commands += "set xrange [0:" + end + "]\nset yrange [0:" + end + "]\n";
   commands += "set boxwidth " + width + "\n";
