@@ -74,14 +74,18 @@ void add_packing_options(CLI::App& command, Input& input) {
       ->type_name("FILE");
 }
 
-void add_space_options(CLI::App& command, Input& input) {
-  auto& space = input.space;
+void add_vertical(CLI::App& command, Input& input) {
   command
-      .add_option("--vertical", space.vertical,
+      .add_option("--vertical", input.space.vertical,
                   "in space: the axis that points up [default: 'vertical_axis' of parameters.json; "
                   "in a plane y]")
       ->check(one_of({"x", "y", "z"}))
       ->type_name("AXIS");
+}
+
+void add_space_options(CLI::App& command, Input& input) {
+  add_vertical(command, input);
+  auto& space = input.space;
   command
       .add_option("--container", space.container,
                   "in space: walls of the container, whose top is open, m [default: the box bounds "

@@ -37,7 +37,9 @@ void add_files(CLI::App& command, Input& input, const std::string& kind);
 void add_all_frames(CLI::App& command, Input& input);
 /// Adds --walls, --dp, --ar and --parameters.
 void add_packing_options(CLI::App& command, Input& input);
-/// Adds --vertical, --container and --cylinder, for what measures scenes in space too.
+/// Adds --vertical, for what measures scenes in space too.
+void add_vertical(CLI::App& command, Input& input);
+/// The same with --container and --cylinder.
 void add_space_options(CLI::App& command, Input& input);
 /// Adds --output, the start of the names of the files to write.
 void add_output(CLI::App& command, std::string& stem);

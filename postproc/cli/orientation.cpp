@@ -62,8 +62,8 @@ void report_order(const SpatialOrientation& result) {
   for (std::size_t k = 0; k < 3; ++k)
     std::cout << (k > 0 ? ", " : " ") << number_text(order.value[k], 4) << " +- "
               << number_text(order.standard_error[k], 2);
-  std::cout << "\norder about the vertical " << number_text(result.vertical_order, 4) << " +- "
-            << number_text(result.vertical_order_standard_error, 2)
+  std::cout << "\norder about the vertical " << number_text(result.about_vertical.value, 4)
+            << " +- " << number_text(result.about_vertical.standard_error, 2)
             << " (1 upright, 0 isotropic, -0.5 flat)\n";
 }
 

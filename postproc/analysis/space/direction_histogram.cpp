@@ -2,6 +2,7 @@
 #include "analysis/space/direction_histogram.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -40,6 +41,11 @@ DirectionAngles direction_angles(const Vector3& direction, std::size_t vertical)
   return angles;
 }
 
+std::size_t polar_bin(const Vector3& direction, std::size_t vertical, std::size_t bins) {
+  const double below_top = (1 - std::abs(direction[vertical])) * static_cast<double>(bins);
+  return std::min(static_cast<std::size_t>(std::max(below_top, 0.0)), bins - 1);
+}
+
 DirectionHistogram polar_histogram(const std::vector<Vector3>& directions, std::size_t vertical,
                                    std::size_t bins) {
   DirectionHistogram histogram;
@@ -49,10 +55,8 @@ DirectionHistogram polar_histogram(const std::vector<Vector3>& directions, std::
     histogram.to.push_back(std::acos(1 - static_cast<double>(k + 1) / steps) / degree);
   }
   histogram.count.assign(bins, 0);
-  for (const auto& direction : directions) {
-    const double below_top = (1 - std::abs(direction[vertical])) * steps;
-    histogram.count[std::min(static_cast<std::size_t>(std::max(below_top, 0.0)), bins - 1)] += 1;
-  }
+  for (const auto& direction : directions)
+    histogram.count[polar_bin(direction, vertical, bins)] += 1;
   normalise_bins(histogram);
   return histogram;
 }
@@ -75,13 +79,39 @@ DirectionHistogram azimuth_histogram(const std::vector<Vector3>& directions, std
   return histogram;
 }
 
-void write_direction_table(const DirectionHistogram& histogram, const std::string& angle,
-                           const std::string& file) {
-  write_csv(file, {{angle + "_from_deg", histogram.from},
-                   {angle + "_to_deg", histogram.to},
-                   {"count", histogram.count},
-                   {"density_over_isotropic", histogram.density},
-                   {"standard_error", histogram.standard_error}});
+void write_direction_table(
+    const DirectionHistogram& histogram, const std::string& angle, const std::string& file,
+    const std::vector<std::pair<std::string, std::vector<double>>>& further) {
+  std::vector<std::pair<std::string, std::vector<double>>> columns{
+      {angle + "_from_deg", histogram.from},
+      {angle + "_to_deg", histogram.to},
+      {"count", histogram.count},
+      {"density_over_isotropic", histogram.density},
+      {"standard_error", histogram.standard_error}};
+  columns.insert(columns.end(), further.begin(), further.end());
+  write_csv(file, columns);
+}
+
+void write_order_table(const OrderTensor& order, std::size_t vertical, const std::string& file) {
+  std::vector<double> value, error, polar, azimuth;
+  std::array<std::vector<double>, 3> components;
+  for (std::size_t k = 0; k < 3; ++k) {
+    value.push_back(order.value[k]);
+    error.push_back(order.standard_error[k]);
+    const auto& direction = order.direction[k];
+    const double sign = direction[vertical] < 0 ? -1 : 1;
+    for (std::size_t c = 0; c < 3; ++c) components[c].push_back(sign * direction[c]);
+    const auto angles = direction_angles(direction, vertical);
+    polar.push_back(angles.polar);
+    azimuth.push_back(angles.azimuth);
+  }
+  write_csv(file, {{"order", value},
+                   {"standard_error", error},
+                   {"direction_x", components[0]},
+                   {"direction_y", components[1]},
+                   {"direction_z", components[2]},
+                   {"polar_deg", polar},
+                   {"azimuth_deg", azimuth}});
 }
 
 }  // namespace rodpack

@@ -3,8 +3,10 @@
 #define RODPACK_ANALYSIS_SPACE_DIRECTION_HISTOGRAM_H
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "analysis/space/order_tensor.h"
 #include "reading/checks/body_axes.h"
 
 namespace rodpack {
@@ -30,6 +32,8 @@ struct DirectionAngles {
 /// `direction`: a unit vector; `vertical`: the coordinate axis, 0 to 2.
 DirectionAngles direction_angles(const Vector3& direction, std::size_t vertical);
 
+/// The bin of the polar angle that a direction, a unit vector, falls into.
+std::size_t polar_bin(const Vector3& direction, std::size_t vertical, std::size_t bins);
 DirectionHistogram polar_histogram(const std::vector<Vector3>& directions, std::size_t vertical,
                                    std::size_t bins);
 /// Leaves out the directions along the axis itself.
@@ -37,9 +41,15 @@ DirectionHistogram azimuth_histogram(const std::vector<Vector3>& directions, std
                                      std::size_t bins);
 
 /// Writes a CSV table with the columns `angle`_from_deg, `angle`_to_deg, count,
-/// density_over_isotropic, standard_error. `angle`: "polar" or "azimuth".
-void write_direction_table(const DirectionHistogram& histogram, const std::string& angle,
-                           const std::string& file);
+/// density_over_isotropic, standard_error, then further ones with one entry per bin. `angle`:
+/// "polar" or "azimuth".
+void write_direction_table(
+    const DirectionHistogram& histogram, const std::string& angle, const std::string& file,
+    const std::vector<std::pair<std::string, std::vector<double>>>& further = {});
+
+/// Writes a CSV table of the three principal values, largest first: order, standard_error,
+/// direction_x, direction_y, direction_z (pointing up), polar_deg, azimuth_deg.
+void write_order_table(const OrderTensor& order, std::size_t vertical, const std::string& file);
 
 }  // namespace rodpack
 

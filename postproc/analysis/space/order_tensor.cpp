@@ -21,12 +21,16 @@ Eigen::Matrix3d order_of(const Vector3& axis) {
 // Eigen orders values from the smallest on.
 Eigen::Vector3d values_of(const Solver& solver) { return solver.eigenvalues().reverse(); }
 
-}  // namespace
-
-OrderTensor order_tensor(const std::vector<Vector3>& axes) {
+void require_two(const std::vector<Vector3>& axes) {
   if (axes.size() < 2)
     throw TooFewParticles("order tensor: expected at least 2 directions, found " +
                           std::to_string(axes.size()));
+}
+
+}  // namespace
+
+OrderTensor order_tensor(const std::vector<Vector3>& axes) {
+  require_two(axes);
   const double n = static_cast<double>(axes.size());
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const auto& axis : axes) sum += order_of(axis);
@@ -58,6 +62,16 @@ OrderTensor order_tensor(const std::vector<Vector3>& axes) {
   result.order_without_bias = values[0] - (n - 1) * shift[0] / n;
   result.director_standard_error = std::sqrt(tilt * (n - 1) / n) * degrees_in_radian;
   return result;
+}
+
+OrderAbout order_about(const std::vector<Vector3>& axes, std::size_t axis) {
+  require_two(axes);
+  const double n = static_cast<double>(axes.size());
+  const auto order = [&](const Vector3& u) { return (3 * u[axis] * u[axis] - 1) / 2; };
+  double mean = 0, square = 0;
+  for (const auto& u : axes) mean += order(u) / n;
+  for (const auto& u : axes) square += std::pow(order(u) - mean, 2);
+  return {mean, std::sqrt(square / (n * (n - 1)))};
 }
 
 IsotropicOrder isotropic_order(std::size_t number) {

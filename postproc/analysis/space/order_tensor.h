@@ -26,6 +26,15 @@ struct OrderTensor {
 /// @throws TooFewParticles when there are fewer than 2.
 OrderTensor order_tensor(const std::vector<Vector3>& axes);
 
+/// Order about a coordinate axis, 0 to 2: <3 cos^2 - 1> / 2 of the angle to it. 1: all along it, 0:
+/// isotropic, -1/2: all across it.
+struct OrderAbout {
+  double value;
+  double standard_error;  // of the mean, directions taken as independent
+};
+/// @throws TooFewParticles when there are fewer than 2 axes.
+OrderAbout order_about(const std::vector<Vector3>& axes, std::size_t axis);
+
 /// S2 of a number of axes is never 0, even if their directions are chosen at random: its mean and
 /// its standard deviation then, for many axes. The five components of S in an orthonormal basis of
 /// traceless tensors are then independent and Gaussian, each of variance 3 / (10 number), which

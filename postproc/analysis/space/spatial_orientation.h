@@ -3,7 +3,6 @@
 #define RODPACK_ANALYSIS_SPACE_SPATIAL_ORIENTATION_H
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "analysis/space/direction_histogram.h"
@@ -16,8 +15,7 @@ namespace rodpack {
 struct SpatialOrientation {
   std::size_t vertical = 2;  // axis that the polar angle is measured from, 0 to 2
   OrderTensor order;
-  double vertical_order = 0;  // <3 cos^2 polar - 1> / 2: 1 upright, 0 isotropic, -1/2 flat
-  double vertical_order_standard_error = 0;  // of the mean, particles taken as independent
+  OrderAbout about_vertical{};  // 1 upright, 0 isotropic, -1/2 flat
   DirectionHistogram polar, azimuth;
   std::size_t near_walls = 0;  // left out: closer than AR d_p to a side wall or the floor
   std::size_t spheres = 0;     // left out: no axis
@@ -37,10 +35,6 @@ class SpatialOrientationSample {
   std::optional<std::size_t> vertical_;
   std::size_t near_walls_ = 0, spheres_ = 0;
 };
-
-/// Writes a CSV table of the three principal values, largest first: order, standard_error,
-/// direction_x, direction_y, direction_z (pointing up), polar_deg, azimuth_deg.
-void write_order_table(const OrderTensor& order, std::size_t vertical, const std::string& file);
 
 }  // namespace rodpack
 

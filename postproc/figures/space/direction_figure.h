@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/space/direction_histogram.h"
+#include "analysis/space/fabric.h"
 
 namespace rodpack {
 
@@ -16,6 +17,9 @@ void plot_polar_angle(const DirectionHistogram& histogram, const std::string& wh
 /// The same of the azimuth.
 void plot_azimuth(const DirectionHistogram& histogram, const std::string& what,
                   std::size_t vertical, const std::string& stem);
+
+/// The polar angle of contact normals, with their mean normal force.
+void plot_fabric(const Fabric& fabric, const std::string& stem);
 
 }  // namespace rodpack
 

@@ -117,8 +117,13 @@ double SpatialWalls::height(const Vector3& place) const {
   return periodic[vertical] ? endless : place[vertical] - low[vertical];
 }
 
+std::optional<std::size_t> find_vertical(const std::string& dump, const std::string& parameters,
+                                         const SpaceOptions& space) {
+  return stated_vertical(find_parameters(dump, parameters), space);
+}
+
 bool is_in_space(const Frame& bodies, const PackingOptions& options, const SpaceOptions& space) {
-  const auto vertical = stated_vertical(find_parameters(bodies.file, options.parameters), space);
+  const auto vertical = find_vertical(bodies.file, options.parameters, space);
   if (bodies.rows == 0) return false;
   constexpr std::size_t y = 1;
   if (vertical.value_or(y) != y) return true;

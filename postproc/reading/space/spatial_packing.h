@@ -56,6 +56,12 @@ struct SpatialPacking {
   double axial_length() const { return aspect_ratio * particle_diameter; }
 };
 
+/// Returns the axis that points up, 0 to 2, as SpaceOptions::vertical says, else `vertical_axis` of
+/// parameters.json (as find_parameters() finds it); none where nobody says so.
+/// @throws DataError when it is none of x, y, z.
+std::optional<std::size_t> find_vertical(const std::string& dump, const std::string& parameters,
+                                         const SpaceOptions& space);
+
 /// Whether the frame of bodies is a scene in space: particles off their common plane z = constant,
 /// or a vertical other than y. @throws DataError when particles are off their plane and nobody says
 /// which axis is the vertical one (SpaceOptions::vertical, `vertical_axis` of parameters.json).

@@ -96,10 +96,10 @@ TEST(SpatialOrientation, IsotropicDensitiesAreOneAndWatsonsFollowsItsLaw) {
     for (std::size_t k = 0; k < 36; ++k)
       EXPECT_NEAR(result.azimuth.density[k], 1, 4.5 * result.azimuth.standard_error[k]);
     const double exact = kappa > 0 ? (3 * rodpack::test::watson_mean_square(kappa) - 1) / 2 : 0;
-    EXPECT_NEAR(result.vertical_order, exact, 4 * result.vertical_order_standard_error);
+    EXPECT_NEAR(result.about_vertical.value, exact, 4 * result.about_vertical.standard_error);
     if (kappa > 0) continue;
     // The variance of P_2 is 1/5.
-    EXPECT_NEAR(result.vertical_order_standard_error, 1 / std::sqrt(5 * 20000.0), 1e-4);
+    EXPECT_NEAR(result.about_vertical.standard_error, 1 / std::sqrt(5 * 20000.0), 1e-4);
   }
 }
 
