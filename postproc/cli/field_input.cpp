@@ -98,22 +98,37 @@ void add_window(CLI::App& command, FieldInput& options) {
       ->type_name("XLO XHI YLO YHI");
 }
 
+std::vector<std::string> FieldInput::contact_files() const {
+  auto patterns = contacts;
+  if (patterns.empty())
+    for (const auto& each : find_dumps(input.patterns)) patterns.push_back(contacts_beside(each));
+  return find_dumps(patterns);
+}
+
+Frame FieldInput::contacts_of(const Frame& bodies, const std::vector<std::string>& files) const {
+  auto frame = frame_beside(bodies, files);
+  if (frame.rows == 0 && !input.all_frames)
+    throw DataError(frame.file + ": no contacts in the frame of timestep " +
+                    std::to_string(frame.timestep) + ", there is no stress to measure");
+  return frame;
+}
+
 void FieldInput::for_packings(bool with_contacts, const Visit& visit) const {
-  std::vector<std::string> contact_files;
-  if (with_contacts) {
-    auto patterns = contacts;
-    if (patterns.empty())
-      for (const auto& each : find_dumps(input.patterns)) patterns.push_back(contacts_beside(each));
-    contact_files = find_dumps(patterns);
-  }
+  std::vector<std::string> files;
+  if (with_contacts) files = contact_files();
   input.for_frames([&](const Frame& bodies) {
     const auto packing = read_packing(bodies, input.packing);
     if (!with_contacts) return visit(packing, bodies, nullptr);
-    const auto frame = frame_beside(bodies, contact_files);
-    if (frame.rows == 0 && !input.all_frames)
-      throw DataError(frame.file + ": no contacts in the frame of timestep " +
-                      std::to_string(frame.timestep) + ", there is no stress to measure");
+    const auto frame = contacts_of(bodies, files);
     visit(packing, bodies, &frame);
+  });
+}
+
+void FieldInput::for_spatial_packings(const SpatialVisit& visit) const {
+  const auto files = contact_files();
+  input.for_frames([&](const Frame& bodies) {
+    visit(read_spatial_packing(bodies, input.packing, input.space), bodies,
+          contacts_of(bodies, files));
   });
 }
 

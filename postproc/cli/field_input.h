@@ -24,6 +24,14 @@ struct FieldInput {
   /// are null unless `with_contacts`.
   using Visit = std::function<void(const Packing&, const Frame& bodies, const Frame* contacts)>;
   void for_packings(bool with_contacts, const Visit& visit) const;
+  /// The same in space, with contacts.
+  using SpatialVisit =
+      std::function<void(const SpatialPacking&, const Frame& bodies, const Frame& contacts)>;
+  void for_spatial_packings(const SpatialVisit& visit) const;
+
+ private:
+  std::vector<std::string> contact_files() const;
+  Frame contacts_of(const Frame& bodies, const std::vector<std::string>& files) const;
 };
 
 void add_kernel_options(CLI::App& command, FieldInput& options);

@@ -64,6 +64,7 @@ DirectionHistogram polar_histogram(const std::vector<Vector3>& directions, std::
 DirectionHistogram azimuth_histogram(const std::vector<Vector3>& directions, std::size_t vertical,
                                      std::size_t bins) {
   DirectionHistogram histogram;
+  if (bins == 0) return histogram;
   const double width = 180 / static_cast<double>(bins);
   for (std::size_t k = 0; k < bins; ++k) {
     histogram.from.push_back((static_cast<double>(k) - 0.5) * width);
@@ -73,7 +74,8 @@ DirectionHistogram azimuth_histogram(const std::vector<Vector3>& directions, std
   for (const auto& direction : directions) {
     const double azimuth = direction_angles(direction, vertical).azimuth;
     if (std::isnan(azimuth)) continue;
-    histogram.count[static_cast<std::size_t>(azimuth / width + 0.5) % bins] += 1;
+    const double nearest = std::round(azimuth / width);
+    histogram.count[static_cast<std::size_t>(nearest) % histogram.count.size()] += 1;
   }
   normalise_bins(histogram);
   return histogram;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_FIGURES_SPACE_VERTICAL_PROFILE_FIGURE_H
+#define RODPACK_FIGURES_SPACE_VERTICAL_PROFILE_FIGURE_H
+
+#include <string>
+
+#include "analysis/space/vertical_profile.h"
+
+namespace rodpack {
+
+/// Draws stresses over depth with Janssen's law, unless null: `stem`.png and .svg; and the solid
+/// fraction over height, `stem`_solid_fraction. What lies within 3 w of floor or surface, where the
+/// kernel reaches beyond them, is shaded. @throws DataError as draw_figure().
+void plot_vertical_profile(const VerticalProfile& profile, const JanssenFit* fit,
+                           const std::string& stem);
+
+}  // namespace rodpack
+
+#endif
