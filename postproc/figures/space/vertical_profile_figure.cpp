@@ -42,7 +42,7 @@ void plot_stresses(const VerticalProfile& profile, const JanssenFit* fit, const 
   std::string commands = datablock("p", {depth, vertical, first, second}) + shaded_ends(profile);
   commands += "set xlabel 'depth {/:Italic h} / {/:Italic d}_p'\n";
   commands += "set ylabel 'stress (" + unit.name + ")'\n";
-  commands += "set key outside top right horizontal\nset yrange [0:*]\nset samples 300\nplot ";
+  commands += "set key top left Left reverse\nset yrange [0:*]\nset samples 300\nplot ";
   commands += curve("2", profile.axis, std::string("linecolor '") + colour::blue + "'");
   commands += ", ";
   commands += curve("3", profile.axis + 1, std::string("linecolor '") + colour::vermilion + "'");
