@@ -113,23 +113,40 @@ Frame FieldInput::contacts_of(const Frame& bodies, const std::vector<std::string
   return frame;
 }
 
-void FieldInput::for_packings(bool with_contacts, const Visit& visit) const {
+void FieldInput::for_bodies(
+    bool with_contacts,
+    const std::function<void(const Frame& bodies, const Frame* contacts)>& visit) const {
   std::vector<std::string> files;
   if (with_contacts) files = contact_files();
   input.for_frames([&](const Frame& bodies) {
-    const auto packing = read_packing(bodies, input.packing);
-    if (!with_contacts) return visit(packing, bodies, nullptr);
+    if (!with_contacts) return visit(bodies, nullptr);
     const auto frame = contacts_of(bodies, files);
-    visit(packing, bodies, &frame);
+    visit(bodies, &frame);
   });
 }
 
-void FieldInput::for_spatial_packings(const SpatialVisit& visit) const {
-  const auto files = contact_files();
-  input.for_frames([&](const Frame& bodies) {
-    visit(read_spatial_packing(bodies, input.packing, input.space), bodies,
-          contacts_of(bodies, files));
+void FieldInput::for_packings(bool with_contacts, const Visit& visit) const {
+  for_bodies(with_contacts, [&](const Frame& bodies, const Frame* touching) {
+    visit(read_packing(bodies, input.packing), bodies, touching);
   });
+}
+
+void FieldInput::for_spatial_packings(bool with_contacts, const SpatialVisit& visit) const {
+  for_bodies(with_contacts, [&](const Frame& bodies, const Frame* touching) {
+    visit(read_spatial_packing(bodies, input.packing, input.space), bodies, touching);
+  });
+}
+
+void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const auto& name : names)
+    if (command.count(name) > 0)
+      throw CLI::ValidationError(name, "expected in a scene in a plane alone");
+}
+
+std::string solid_fraction_line(const VerticalProfile& profile) {
+  const auto mean = mean_solid_fraction(profile);
+  return "solid fraction, 3 w from floor and surface: " +
+         (mean ? number_text(*mean, 4) : std::string("none, the bed is too low")) + "\n";
 }
 
 GriddedFields::GriddedFields(const FieldInput& options, bool with_contacts)

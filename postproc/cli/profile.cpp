@@ -51,22 +51,20 @@ void profile_in_space(const FieldInput& options) {
   VerticalProfileSample sample(options.fields);
   std::string setting;
   options.for_spatial_packings(
-      [&](const SpatialPacking& packing, const Frame& bodies, const Frame& contacts) {
+      true, [&](const SpatialPacking& packing, const Frame& bodies, const Frame* contacts) {
         sample.add(packing, bodies, contacts);
         setting = describe(packing);
       });
   const auto profile = sample.result();
   const auto [fit, report] = fitted(profile, "Pa");
-  const auto solid = mean_solid_fraction(profile);
   const auto& stem = options.stem;
   write_vertical_profile_table(profile, stem + ".csv");
-  plot_vertical_profile(profile, fit ? &*fit : nullptr, stem);
+  plot_vertical_stresses(profile, fit ? &*fit : nullptr, stem);
+  plot_layers(profile, stem + "_solid_fraction");
   std::cout << setting << '\n'
             << options.input.passed_over_line() << "w = " << number_text(profile.scale, 4)
             << " m, cross-section " << number_text(profile.cross_section, 4) << " m^2\n"
-            << "solid fraction, 3 w from floor and surface: "
-            << (solid ? number_text(*solid, 4) : "none, the bed is too low") << '\n'
-            << "vertical stress: " << report << '\n'
+            << solid_fraction_line(profile) << "vertical stress: " << report << '\n'
             << "written: " << stem << ".csv .png .svg, " << stem << "_solid_fraction.png .svg\n";
 }
 
@@ -97,10 +95,7 @@ void add_profile(CLI::App& app) {
   add_output(*command, options->stem);
   command->callback([options, command] {
     if (!options->input.is_in_space()) return profile_in_plane(*options);
-    // There the kernel is a Gaussian in closed form.
-    for (const std::string option : {"--kernel", "--line", "--tolerance"})
-      if (command->count(option) > 0)
-        throw CLI::ValidationError(option, "expected in a scene in a plane alone");
+    refuse_in_space(*command, {"--kernel", "--line", "--tolerance"});
     profile_in_space(*options);
   });
 }

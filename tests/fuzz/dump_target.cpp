@@ -102,7 +102,7 @@ void measure_stress(const Frame& bodies, const Frame& contacts) {
 
 void measure_stress_in_space(const Frame& bodies, const Frame& contacts) {
   VerticalProfileSample sample({});
-  sample.add(read_spatial_packing(bodies, {}, {"z", {}, {}}), bodies, contacts);
+  sample.add(read_spatial_packing(bodies, {}, {"z", {}, {}}), bodies, &contacts);
   fit_janssen(sample.result());
 }
 

@@ -59,10 +59,11 @@ void VerticalProfileSample::start(const SpatialPacking& packing) {
 }
 
 void VerticalProfileSample::add(const SpatialPacking& packing, const Frame& bodies,
-                                const Frame& contacts) {
+                                const Frame* contacts) {
   const auto volumes = body_volumes(bodies);
   const auto& mass = bodies.column("mass");
-  const auto interactions = sum_pairs(read_contacts(contacts)).interactions;
+  std::vector<Interaction> interactions;
+  if (contacts) interactions = sum_pairs(read_contacts(*contacts)).interactions;
   if (frames_ == 0) start(packing);
   ++frames_;
   const auto up = walls_.vertical, first = walls_.horizontal(0), second = walls_.horizontal(1);
@@ -138,6 +139,18 @@ void write_vertical_profile_table(const VerticalProfile& profile, const std::str
                    {"stress_horizontal_2_N_m2", profile.horizontal[1]},
                    {"pressure_N_m2", profile.pressure},
                    {"wall_force_N_m3", profile.wall_force}});
+}
+
+void write_layer_table(const VerticalProfile& profile, const std::string& file) {
+  std::vector<double> height, solid_fraction, density;
+  for (std::size_t k = profile.depth.size(); k-- > 0;) {
+    height.push_back((profile.depth_of_floor - profile.depth[k]) / profile.particle_diameter);
+    solid_fraction.push_back(profile.solid_fraction[k]);
+    density.push_back(profile.density[k]);
+  }
+  write_csv(
+      file,
+      {{"height_over_dp", height}, {"solid_fraction", solid_fraction}, {"density_kg_m3", density}});
 }
 
 }  // namespace rodpack

@@ -44,11 +44,11 @@ struct VerticalProfile {
 class VerticalProfileSample {
  public:
   explicit VerticalProfileSample(FieldOptions options) : options_(std::move(options)) {}
-  /// Adds a frame; bodies and contacts are of the same timestep. Walls and surface are those of the
-  /// first one. @throws DataError when a column is missing, the vertical is periodic or has too
-  /// many
+  /// Adds a frame; bodies and contacts are of the same timestep; without contacts, null, there is
+  /// no stress. Walls and surface are those of the first one. @throws DataError when a column is
+  /// missing, the vertical is periodic or has too many
   ///   places, TooFewParticles when there is no bed.
-  void add(const SpatialPacking& packing, const Frame& bodies, const Frame& contacts);
+  void add(const SpatialPacking& packing, const Frame& bodies, const Frame* contacts);
   /// @throws TooFewParticles when no frame was added.
   VerticalProfile result() const;
 
@@ -74,6 +74,9 @@ JanssenFit fit_janssen(const VerticalProfile& profile);
 /// stress_vertical_N_m2, stress_horizontal_1_N_m2, stress_horizontal_2_N_m2, pressure_N_m2,
 /// wall_force_N_m3.
 void write_vertical_profile_table(const VerticalProfile& profile, const std::string& file);
+/// The same of the solid fraction alone, from the floor up: height_over_dp, solid_fraction,
+/// density_kg_m3.
+void write_layer_table(const VerticalProfile& profile, const std::string& file);
 
 }  // namespace rodpack
 

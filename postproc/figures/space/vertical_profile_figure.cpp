@@ -23,7 +23,10 @@ std::string shaded_ends(const VerticalProfile& profile) {
   return commands + "set xrange [0:" + number_text(end) + "]\n";
 }
 
-void plot_stresses(const VerticalProfile& profile, const JanssenFit* fit, const std::string& stem) {
+}  // namespace
+
+void plot_vertical_stresses(const VerticalProfile& profile, const JanssenFit* fit,
+                            const std::string& stem) {
   const double d = profile.particle_diameter;
   const double top = *std::max_element(profile.vertical.begin(), profile.vertical.end());
   const auto unit = scaled_unit(top, "Pa");
@@ -58,7 +61,7 @@ void plot_stresses(const VerticalProfile& profile, const JanssenFit* fit, const 
   draw_figure(stem, 1.4, commands + "\n");
 }
 
-void plot_solid_fractions(const VerticalProfile& profile, const std::string& stem) {
+void plot_layers(const VerticalProfile& profile, const std::string& stem) {
   std::vector<double> height;
   for (const double each : profile.depth)
     height.push_back((profile.depth_of_floor - each) / profile.particle_diameter);
@@ -68,14 +71,6 @@ void plot_solid_fractions(const VerticalProfile& profile, const std::string& ste
   commands += "plot $p using 1:2 with lines linewidth 1.4 linecolor '";
   commands += colour::blue;
   draw_figure(stem, 1.4, commands + "'\n");
-}
-
-}  // namespace
-
-void plot_vertical_profile(const VerticalProfile& profile, const JanssenFit* fit,
-                           const std::string& stem) {
-  plot_stresses(profile, fit, stem);
-  plot_solid_fractions(profile, stem + "_solid_fraction");
 }
 
 }  // namespace rodpack

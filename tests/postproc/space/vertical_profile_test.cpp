@@ -67,7 +67,8 @@ struct Scene {
 VerticalProfile profile_of(const Scene& scene, const SpatialPacking& packing,
                            const FieldOptions& options) {
   VerticalProfileSample sample(options);
-  sample.add(packing, scene.body_frame(), scene.contact_frame());
+  const Frame contacts = scene.contact_frame();
+  sample.add(packing, scene.body_frame(), &contacts);
   return sample.result();
 }
 
@@ -223,8 +224,8 @@ TEST(VerticalProfile, FramesAreAveraged) {
   const auto options = scaled(0.5, 0.5, Normalisation::none);
   VerticalProfileSample sample(options);
   const auto packing = scene.packing({2, 2, 5}, 2);
-  sample.add(packing, scene.body_frame(), scene.contact_frame());
-  sample.add(other.packing({2, 2, 5}, 2), other.body_frame(), other.contact_frame());
+  sample.add(packing, scene.body_frame(), nullptr);
+  sample.add(other.packing({2, 2, 5}, 2), other.body_frame(), nullptr);
   const auto one = profile_of(scene, packing, options);
   EXPECT_NEAR(sample.result().density[1], 1.5 * one.density[1], 1e-12);
 }
@@ -287,6 +288,25 @@ TEST_F(ProfileCommand, WritesTableAndFiguresInSpace) {
   // One sphere of 1 mm per 2 mm x 2 mm x 1 mm.
   EXPECT_NEAR(table.column("solid_fraction")[table.rows() / 2], pi / 6 / 4, 1e-6);
   EXPECT_EQ(table.column("wall_force_N_m3").size(), table.rows());
+}
+
+TEST_F(ProfileCommand, SolidFractionNeedsNoContacts) {
+  std::filesystem::remove(folder_ / "contacts.dump");
+  const auto result = rodpack::test::run_rodpack(
+      "solid-fraction bodies.dump --vertical z --scale-in-dp 1 -o phi", folder_);
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("solid fraction, 3 w from floor and surface: 0.1309\n"));
+  const auto table = rodpack::test::read_table(folder_ / "phi.csv");
+  EXPECT_EQ(table.column("height_over_dp")[0], 0);
+  EXPECT_NEAR(table.column("solid_fraction")[0], pi / 6 / 4 / 2, 0.011 * pi / 6 / 4);
+  // 1 mg per 4 mm^3.
+  EXPECT_NEAR(table.column("density_kg_m3")[table.rows() / 2], 250, 1e-5);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "phi.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "phi.vti"));
+  const auto refused = rodpack::test::run_rodpack(
+      "solid-fraction bodies.dump --vertical z --window 0 1 0 1", folder_);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("--window: expected in a scene in a plane alone"));
 }
 
 TEST_F(ProfileCommand, RefusesWhatIsOfAPlaneOrMissing) {
