@@ -113,6 +113,7 @@ void ContactForceSample::add_forces(const Frame& contacts) {
     for (std::size_t c = 0; c < 3; ++c) rest[c] = (*f[c])[i] - normal * (*n[c])[i] / length;
     const double tangential = std::hypot(rest[0], rest[1], rest[2]);
     normal_.push_back(normal);
+    normals_.push_back({(*n[0])[i] / length, (*n[1])[i] / length, (*n[2])[i] / length});
     // Without friction only rounding errors are left, whose distribution would mean nothing.
     tangential_.push_back(tangential > 1e-12 * normal ? tangential : 0);
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "reading/checks/body_axes.h"
 #include "reading/dump.h"
 
 namespace rodpack {
@@ -72,6 +73,9 @@ class ContactForceSample {
   void add(const Frame& contacts, const Frame* bodies = nullptr);
   /// @throws TooFewParticles when no contact carries a force.
   ContactForces result() const;
+  /// Unit normals n of the contacts that are measured, and their normal forces, N, in one order.
+  const std::vector<Vector3>& normals() const { return normals_; }
+  const std::vector<double>& normal_forces() const { return normal_; }
 
  private:
   struct Neighbours;
@@ -80,6 +84,7 @@ class ContactForceSample {
 
   ContactForceOptions options_;
   std::vector<double> normal_, tangential_;  // N, carrying contacts
+  std::vector<Vector3> normals_;
   std::size_t not_carrying_ = 0, at_walls_ = 0;
   std::map<std::size_t, double> with_touching_, with_contacts_;  // particles by number
   std::size_t particles_ = 0, rattlers_ = 0;

@@ -88,16 +88,16 @@ JanssenFit fit_janssen(const PressureProfile& profile) {
   return fit;
 }
 
-std::string describe(const JanssenFit& fit, double particle_diameter) {
+std::string describe(const JanssenFit& fit, double particle_diameter, const std::string& unit) {
   if (!fit.saturates)
     return "the pressure does not saturate within the bed: h_c = " +
            number_text(fit.depth / particle_diameter, 3) + " d_p is beyond the fitted depth of " +
            number_text(fit.to / particle_diameter, 3) + " d_p";
   return "Janssen: P_j = " + number_text(fit.pressure, 4) + " +- " +
-         number_text(fit.pressure_error, 2) +
-         " N/m, h_c = " + number_text(fit.depth / particle_diameter, 4) + " +- " +
+         number_text(fit.pressure_error, 2) + " " + unit +
+         ", h_c = " + number_text(fit.depth / particle_diameter, 4) + " +- " +
          number_text(fit.depth_error / particle_diameter, 2) + " d_p, rms residual " +
-         number_text(fit.rms_residual, 2) + " N/m";
+         number_text(fit.rms_residual, 2) + " " + unit;
 }
 
 }  // namespace rodpack

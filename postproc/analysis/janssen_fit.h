@@ -26,8 +26,9 @@ struct JanssenFit {
 JanssenFit fit_janssen(const PressureProfile& profile);
 
 /// Says the fit in one line: "P_j = ... +- ... N/m, h_c = ... +- ... d_p", or that the pressure
-/// does not saturate. `particle_diameter`: d_p, m.
-std::string describe(const JanssenFit& fit, double particle_diameter);
+/// does not saturate. `particle_diameter`: d_p, m; `unit`: of the pressure, in space Pa.
+std::string describe(const JanssenFit& fit, double particle_diameter,
+                     const std::string& unit = "N/m");
 
 }  // namespace rodpack
 

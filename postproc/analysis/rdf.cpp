@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nanoflann.hpp>
 
-#include "reading/csv_file.h"
 #include "reading/number_text.h"
 #include "rodpack/geometry/disc_in_rectangle.h"
 
@@ -99,30 +98,6 @@ void for_pairs(const Points& points, const std::vector<std::size_t>& centres, do
   }
 }
 
-// Relative variance of G from the scatter of rho, one number per bin. rho comes from the region,
-// the neighbours also from around it. A particle at x changes G by the fraction h(x) / (rings of
-// all centres) - [x is a centre] / (number of centres), where h(x) is the area of the ring around x
-// inside the region; independent particles add up in quadrature.
-std::vector<double> density_spread(const Points& points, std::size_t centres,
-                                   const Rectangle& region, const std::vector<double>& rings,
-                                   double bin) {
-  std::vector<double> spread(rings.size(), 0);
-  for (std::size_t i = 0; i < points.x.size(); ++i) {
-    if (!points.is_original[i]) continue;
-    const auto areas = ring_areas(region, points.x[i], points.y[i], bin, rings.size());
-    for (std::size_t k = 0; k < rings.size(); ++k) {
-      const double weight = (rings[k] > 0 ? areas[k] / rings[k] : 0) -
-                            (points.is_centre[i] ? 1 / static_cast<double>(centres) : 0);
-      spread[k] += weight * weight;
-    }
-  }
-  return spread;
-}
-
-std::size_t bins_of(const RdfOptions& options) {
-  return static_cast<std::size_t>(std::ceil(options.largest_distance / options.bin_width - 1e-9));
-}
-
 // What of a packing G(r) looks at.
 struct FieldOfView {
   double margin;  // of the region from walls and surface, m
@@ -166,77 +141,41 @@ FieldOfView field_of_view(const Packing& packing, const RdfOptions& options) {
 
 }  // namespace
 
-RdfSample::RdfSample(const RdfOptions& options) : options_(options) {
-  const auto bins = bins_of(options);
-  pairs_.assign(bins, 0);
-  variance_.assign(bins, 0);
-  density_variance_.assign(bins, 0);
-  expected_.assign(bins, 0);
-}
+RdfSample::RdfSample(const RdfOptions& options) : options_(options), sums_(options) {}
 
 void RdfSample::add(const Packing& packing) {
   const double bin = options_.bin_width * packing.particle_diameter;
-  const auto bins = pairs_.size();
+  const auto bins = bins_of(options_);
   auto [margin, reduced, region, window, points, centres] = field_of_view(packing, options_);
-  const double region_area = region.area();
-  const double density = static_cast<double>(centres.size()) / region_area;
+  RdfFrame frame;
+  frame.centres = centres.size();
+  frame.region = region.area();
+  frame.margin = margin / packing.particle_diameter;
+  frame.margin_reduced = reduced;
   if (!packing.walls.sides)  // endless in x
     for (auto* rectangle : {&region, &window}) {
       rectangle->left -= 2 * bin * static_cast<double>(bins);
       rectangle->right += 2 * bin * static_cast<double>(bins);
     }
 
-  std::vector<double> pairs(bins, 0);
+  frame.pairs.assign(bins, 0);
+  frame.variance.assign(bins, 0);
   const auto& is_centre = points.is_centre;
   for_pairs(points, centres, bin, bins, [&](std::size_t, std::size_t j, std::size_t k) {
-    pairs[k] += 1;
-    variance_[k] += is_centre[j] ? 2 : 1;
+    frame.pairs[k] += 1;
+    frame.variance[k] += is_centre[j] ? 2 : 1;
   });
-  std::vector<double> rings(bins, 0);
+  frame.rings.assign(bins, 0);
   for (const auto i : centres) {
     const auto areas = ring_areas(window, points.x[i], points.y[i], bin, bins);
-    for (std::size_t k = 0; k < bins; ++k) rings[k] += areas[k];
+    for (std::size_t k = 0; k < bins; ++k) frame.rings[k] += areas[k];
   }
-  const auto spread = density_spread(points, centres.size(), region, rings, bin);
-  for (std::size_t k = 0; k < bins; ++k) {
-    pairs_[k] += pairs[k];
-    expected_[k] += density * rings[k];
-    density_variance_[k] += pairs[k] * pairs[k] * spread[k];
-  }
-  centres_ += centres.size();
-  region_area_ += region_area;
-  margin_reduced_ = margin_reduced_ || reduced;
-  margin /= packing.particle_diameter;
-  margin_ = margin_ < 0 ? margin : std::min(margin_, margin);
-}
-
-Rdf RdfSample::result() const {
-  Rdf rdf;
-  rdf.centres = centres_;
-  rdf.density = static_cast<double>(centres_) / region_area_;
-  rdf.margin = margin_;
-  rdf.margin_reduced = margin_reduced_;
-  rdf.pairs = pairs_;
-  rdf.expected = expected_;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    rdf.r.push_back((static_cast<double>(k) + 0.5) * options_.bin_width);
-    const bool seen = expected_[k] > 0;
-    rdf.g.push_back(seen ? pairs_[k] / expected_[k] : 0);
-    rdf.standard_error.push_back(
-        seen ? std::sqrt(variance_[k] + density_variance_[k]) / expected_[k] : 0);
-  }
-  // The deviation of the density is common to all bins, so its standard errors add up.
-  double pairs = 0, variance = 0, density_error = 0, expected = 0;
-  for (std::size_t k = pairs_.size() - (pairs_.size() + 3) / 4; k < pairs_.size(); ++k) {
-    pairs += pairs_[k];
-    variance += variance_[k];
-    density_error += std::sqrt(density_variance_[k]);
-    expected += expected_[k];
-  }
-  rdf.tail_g = expected > 0 ? pairs / expected : 0;
-  rdf.tail_standard_error =
-      expected > 0 ? std::sqrt(variance + density_error * density_error) / expected : 0;
-  return rdf;
+  frame.spread.assign(bins, 0);
+  for (std::size_t i = 0; i < points.x.size(); ++i)
+    if (points.is_original[i])
+      add_to_spread(ring_areas(region, points.x[i], points.y[i], bin, bins), points.is_centre[i],
+                    frame);
+  sums_.add(frame);
 }
 
 void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_t first,
@@ -249,13 +188,6 @@ void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_
               visit({points.particle[i], points.particle[j], points.x[j] - points.x[i],
                      points.y[j] - points.y[i], points.is_centre[j]});
             });
-}
-
-void write_rdf_table(const Rdf& rdf, const std::string& file) {
-  write_csv(file, {{"r_over_dp", rdf.r},
-                   {"g", rdf.g},
-                   {"standard_error", rdf.standard_error},
-                   {"pairs", rdf.pairs}});
 }
 
 }  // namespace rodpack

@@ -98,23 +98,55 @@ void add_window(CLI::App& command, FieldInput& options) {
       ->type_name("XLO XHI YLO YHI");
 }
 
-void FieldInput::for_packings(bool with_contacts, const Visit& visit) const {
-  std::vector<std::string> contact_files;
-  if (with_contacts) {
-    auto patterns = contacts;
-    if (patterns.empty())
-      for (const auto& each : find_dumps(input.patterns)) patterns.push_back(contacts_beside(each));
-    contact_files = find_dumps(patterns);
-  }
+std::vector<std::string> FieldInput::contact_files() const {
+  auto patterns = contacts;
+  if (patterns.empty())
+    for (const auto& each : find_dumps(input.patterns)) patterns.push_back(contacts_beside(each));
+  return find_dumps(patterns);
+}
+
+Frame FieldInput::contacts_of(const Frame& bodies, const std::vector<std::string>& files) const {
+  auto frame = frame_beside(bodies, files);
+  if (frame.rows == 0 && !input.all_frames)
+    throw DataError(frame.file + ": no contacts in the frame of timestep " +
+                    std::to_string(frame.timestep) + ", there is no stress to measure");
+  return frame;
+}
+
+void FieldInput::for_bodies(
+    bool with_contacts,
+    const std::function<void(const Frame& bodies, const Frame* contacts)>& visit) const {
+  std::vector<std::string> files;
+  if (with_contacts) files = contact_files();
   input.for_frames([&](const Frame& bodies) {
-    const auto packing = read_packing(bodies, input.packing);
-    if (!with_contacts) return visit(packing, bodies, nullptr);
-    const auto frame = frame_beside(bodies, contact_files);
-    if (frame.rows == 0 && !input.all_frames)
-      throw DataError(frame.file + ": no contacts in the frame of timestep " +
-                      std::to_string(frame.timestep) + ", there is no stress to measure");
-    visit(packing, bodies, &frame);
+    if (!with_contacts) return visit(bodies, nullptr);
+    const auto frame = contacts_of(bodies, files);
+    visit(bodies, &frame);
   });
+}
+
+void FieldInput::for_packings(bool with_contacts, const Visit& visit) const {
+  for_bodies(with_contacts, [&](const Frame& bodies, const Frame* touching) {
+    visit(read_packing(bodies, input.packing), bodies, touching);
+  });
+}
+
+void FieldInput::for_spatial_packings(bool with_contacts, const SpatialVisit& visit) const {
+  for_bodies(with_contacts, [&](const Frame& bodies, const Frame* touching) {
+    visit(read_spatial_packing(bodies, input.packing, input.space), bodies, touching);
+  });
+}
+
+void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const auto& name : names)
+    if (command.count(name) > 0)
+      throw CLI::ValidationError(name, "expected in a scene in a plane alone");
+}
+
+std::string solid_fraction_line(const VerticalProfile& profile) {
+  const auto mean = mean_solid_fraction(profile);
+  return "solid fraction, 3 w from floor and surface: " +
+         (mean ? number_text(*mean, 4) : std::string("none, the bed is too low")) + "\n";
 }
 
 GriddedFields::GriddedFields(const FieldInput& options, bool with_contacts)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/fields.h"
+#include "analysis/space/vertical_profile.h"
 #include "cli/input.h"
 
 namespace rodpack::cli {
@@ -24,11 +25,27 @@ struct FieldInput {
   /// are null unless `with_contacts`.
   using Visit = std::function<void(const Packing&, const Frame& bodies, const Frame* contacts)>;
   void for_packings(bool with_contacts, const Visit& visit) const;
+  /// The same in space.
+  using SpatialVisit =
+      std::function<void(const SpatialPacking&, const Frame& bodies, const Frame* contacts)>;
+  void for_spatial_packings(bool with_contacts, const SpatialVisit& visit) const;
+
+ private:
+  std::vector<std::string> contact_files() const;
+  void for_bodies(
+      bool with_contacts,
+      const std::function<void(const Frame& bodies, const Frame* contacts)>& visit) const;
+  Frame contacts_of(const Frame& bodies, const std::vector<std::string>& files) const;
 };
 
 void add_kernel_options(CLI::App& command, FieldInput& options);
 void add_contact_options(CLI::App& command, FieldInput& options);
 void add_window(CLI::App& command, FieldInput& options);
+
+/// Refuses options that a scene in space has no use for: its kernel is a Gaussian, in closed form.
+void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names);
+/// "solid fraction, 3 w from floor and surface: ..." for the terminal.
+std::string solid_fraction_line(const VerticalProfile& profile);
 
 /// Fields on a grid, with what figures and reports need beside them.
 struct GriddedFields {

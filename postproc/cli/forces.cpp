@@ -6,12 +6,14 @@
 #include <optional>
 
 #include "analysis/force_chains.h"
+#include "analysis/space/fabric.h"
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "figures/contact_forces_figure.h"
 #include "figures/force_chains_figure.h"
 #include "figures/render.h"
+#include "figures/space/direction_figure.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/packing.h"
@@ -47,6 +49,27 @@ void report(const ContactForces& forces, std::ostream& out) {
     out << "those without contact are missed: no --bodies\n";
 }
 
+void report_fabric(const Fabric& fabric) {
+  const auto chance = isotropic_order(fabric.order.number);
+  std::cout << "order of the contact normals";
+  for (std::size_t k = 0; k < 3; ++k)
+    std::cout << (k > 0 ? ", " : " ") << number_text(fabric.order.value[k], 4) << " +- "
+              << number_text(fabric.order.standard_error[k], 2);
+  std::cout << " (the first of as many isotropic ones " << number_text(chance.mean, 2) << " +- "
+            << number_text(chance.deviation, 2) << "), about the vertical "
+            << number_text(fabric.about_vertical.value, 4) << " +- "
+            << number_text(fabric.about_vertical.standard_error, 2) << '\n';
+}
+
+// The axis that points up, where the contacts are to be measured in space.
+std::optional<std::size_t> vertical_in_space(const Input& input, const Frame& contacts,
+                                             bool planar) {
+  const auto vertical = find_vertical(contacts.file, input.packing.parameters, input.space);
+  constexpr std::size_t y = 1;
+  if (planar && vertical.value_or(y) == y) return std::nullopt;
+  return vertical;
+}
+
 void measure(const ForcesArguments& options) {
   const auto& input = options.input;
   auto packing = input.packing;
@@ -66,17 +89,30 @@ void measure(const ForcesArguments& options) {
   });
   const auto forces = sample.result();
   force_lines(last);  // bad columns show before anything is written
+  const auto not_planar = why_contacts_not_planar(last);
+  const auto vertical = vertical_in_space(input, last, not_planar.empty());
+  std::optional<Fabric> fabric;
+  if (vertical) fabric = measure_fabric(sample.normals(), sample.normal_forces(), *vertical);
   const auto& stem = options.stem;
   write_contact_force_tables(forces, stem);
   plot_contact_forces(forces, stem);
-  const auto not_planar = why_contacts_not_planar(last);
+  if (fabric) {
+    write_fabric_table(*fabric, stem + "_fabric.csv");
+    write_order_table(fabric->order, *vertical, stem + "_fabric_order.csv");
+    plot_fabric(*fabric, stem + "_fabric");
+  }
   if (not_planar.empty()) draw_force_chains(last, packing, stem + "_chains");
   report(forces, std::cout);
+  if (fabric)
+    report_fabric(*fabric);
+  else if (!not_planar.empty())
+    std::cout << "the fabric is left out: no --vertical, nor 'vertical_axis' in parameters.json\n";
   std::cout << input.passed_over_line();
   if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
   std::cout << "written: " << stem << ".csv .png .svg, ";
   if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
   std::cout << stem << "_coordination.csv .png .svg";
+  if (fabric) std::cout << ", " << stem << "_fabric.csv .png .svg, " << stem << "_fabric_order.csv";
   if (not_planar.empty()) std::cout << ", " << stem << "_chains.png .svg";
   std::cout << '\n';
 }
@@ -88,15 +124,19 @@ void add_forces(CLI::App& app) {
   auto* command = app.add_subcommand(
       "forces",
       "Contact forces: distributions of the normal and the tangential force over their means, "
-      "mobilised friction f_t / (mu f_n), numbers of contacts per particle, and a picture of the "
-      "force chains (last frame), a line per touching pair. Contacts with walls are left out but "
-      "in the picture.");
+      "mobilised friction f_t / (mu f_n), numbers of contacts per particle, in a plane a picture "
+      "of "
+      "the force chains (last frame), a line per touching pair, and in space the order tensor of "
+      "the contact normals, with their angles to the vertical and the force by angle. Contacts "
+      "with walls are left out but in the picture.");
   command->footer(
       "Example:\n"
       "  rodpack forces 'results/quick/dumps/contacts.*.dump' \\\n"
       "      --bodies 'results/quick/dumps/bodies.*.dump'\n"
       "writes forces.csv, forces_friction.csv, forces_coordination.csv, the figures of the same\n"
-      "names and forces_chains, each .png/.svg.");
+      "names and forces_chains, each .png/.svg; in space, with --vertical, forces_fabric.csv .png "
+      ".svg\n"
+      "and forces_fabric_order.csv.");
   add_files(*command, options->input, "contacts");
   add_all_frames(*command, options->input);
   command
@@ -118,6 +158,7 @@ void add_forces(CLI::App& app) {
   command->add_flag("--walls-too", options->forces.walls_too,
                     "contacts with walls count too, but not as touching particles");
   add_packing_options(*command, options->input);
+  add_vertical(*command, options->input);
   add_output(*command, options->stem);
 
   command->callback([options] { measure(*options); });

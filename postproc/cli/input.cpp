@@ -21,6 +21,18 @@ void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
   passed_over = pool.passed_over();
 }
 
+bool Input::is_in_space() const {
+  const auto frame = last_frame(find_dumps(patterns));
+  const bool result = rodpack::is_in_space(frame, packing, space);
+  const auto refuse = [](const std::string& option, const std::string& scene) {
+    throw CLI::ValidationError(option, "expected in a scene " + scene + " alone");
+  };
+  if (result && !packing.walls.empty()) refuse("--walls", "in a plane");
+  if (!result && !space.container.empty()) refuse("--container", "in space");
+  if (!result && !space.cylinder.empty()) refuse("--cylinder", "in space");
+  return result;
+}
+
 void add_files(CLI::App& command, Input& input, const std::string& kind) {
   command
       .add_option("dumps", input.patterns,
@@ -62,6 +74,34 @@ void add_packing_options(CLI::App& command, Input& input) {
       ->type_name("FILE");
 }
 
+void add_vertical(CLI::App& command, Input& input) {
+  command
+      .add_option("--vertical", input.space.vertical,
+                  "in space: the axis that points up [default: 'vertical_axis' of parameters.json; "
+                  "in a plane y]")
+      ->check(one_of({"x", "y", "z"}))
+      ->type_name("AXIS");
+}
+
+void add_space_options(CLI::App& command, Input& input) {
+  add_vertical(command, input);
+  auto& space = input.space;
+  command
+      .add_option("--container", space.container,
+                  "in space: walls of the container, whose top is open, m [default: the box bounds "
+                  "of the dump; a periodic direction has no walls]")
+      ->expected(6)
+      ->check(place())
+      ->type_name("XLO XHI YLO YHI ZLO ZHI");
+  command
+      .add_option("--cylinder", space.cylinder,
+                  "in space: the side wall is an upright cylinder: the horizontal coordinates of "
+                  "its axis, in the order x, y, z, x after the vertical, and its radius, m")
+      ->expected(3)
+      ->check(place())
+      ->type_name("A B RADIUS");
+}
+
 void add_output(CLI::App& command, std::string& stem) {
   command.add_option("-o,--output", stem, "start of the names of the files to write")
       ->check(stem_of_files())
@@ -73,6 +113,16 @@ std::string describe(const Packing& packing) {
   return "walls: " + packing.walls.source + "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
          number_text((packing.surface - packing.walls.floor) / packing.particle_diameter, 4) +
+         " d_p high";
+}
+
+std::string describe(const SpatialPacking& packing) {
+  const auto& walls = packing.walls;
+  const auto up = walls.vertical;
+  return "in space, " + std::string(1, "xyz"[up]) + " up; walls: " + walls.source +
+         "; d_p = " + number_text(packing.particle_diameter, 5) +
+         " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
+         number_text((packing.surface - walls.low[up]) / packing.particle_diameter, 4) +
          " d_p high";
 }
 

@@ -9,6 +9,7 @@
 
 #include "reading/dump.h"
 #include "reading/packing.h"
+#include "reading/space/spatial_packing.h"
 
 namespace rodpack::cli {
 
@@ -17,10 +18,14 @@ struct Input {
   std::vector<std::string> patterns;
   bool all_frames = false;
   PackingOptions packing;
+  SpaceOptions space;
 
   /// Calls `visit` with the last frame, or with every frame that FramePool takes if the user asks
   /// for all. @throws DataError when it takes none.
   void for_frames(const std::function<void(const Frame&)>& visit) const;
+  /// Whether the last frame shows a scene in space. @throws DataError as rodpack::is_in_space(),
+  /// CLI::ValidationError for walls of the other kind of scene.
+  bool is_in_space() const;
   /// What FramePool has passed over by now, as a line for the report; empty if nothing.
   std::string passed_over_line() const { return passed_over.empty() ? "" : passed_over + "\n"; }
   mutable std::string passed_over;
@@ -32,11 +37,17 @@ void add_files(CLI::App& command, Input& input, const std::string& kind);
 void add_all_frames(CLI::App& command, Input& input);
 /// Adds --walls, --dp, --ar and --parameters.
 void add_packing_options(CLI::App& command, Input& input);
+/// Adds --vertical, for what measures scenes in space too.
+void add_vertical(CLI::App& command, Input& input);
+/// The same with --container and --cylinder.
+void add_space_options(CLI::App& command, Input& input);
 /// Adds --output, the start of the names of the files to write.
 void add_output(CLI::App& command, std::string& stem);
 
 /// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal.
 std::string describe(const Packing& packing);
+/// The same, with the vertical.
+std::string describe(const SpatialPacking& packing);
 
 }  // namespace rodpack::cli
 

@@ -6,12 +6,15 @@
 #include <optional>
 
 #include "analysis/pairs/peak_configurations.h"
+#include "analysis/space/axial_rdf.h"
+#include "analysis/space/spatial_rdf.h"
 
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "figures/pairs/peak_figure.h"
 #include "figures/rdf_figure.h"
+#include "figures/space/axial_rdf_figure.h"
 #include "reading/number_text.h"
 
 namespace rodpack::cli {
@@ -21,6 +24,8 @@ struct RdfCommand {
   Input input;
   RdfOptions rdf;
   std::optional<double> explain, explain_width;  // d_p
+  std::optional<double> axial;                   // d_p
+  AxialRdfOptions along_across;
   std::string stem = "rdf";
 };
 
@@ -78,12 +83,74 @@ void add_rdf_options(CLI::App& command, RdfCommand& options) {
       ->needs(explain);
 }
 
-void run_rdf(const RdfCommand& options) {
-  constexpr double most_bins = 1e4;
-  if (options.rdf.largest_distance / options.rdf.bin_width > most_bins)
-    throw CLI::ValidationError(
-        "--bin", "expected at most " + number_text(most_bins) + " bins up to --r-max, found " +
-                     number_text(options.rdf.largest_distance / options.rdf.bin_width));
+void add_axial_options(CLI::App& command, RdfCommand& options) {
+  auto* axial =
+      command
+          .add_option("--axial", options.axial,
+                      "in space: also the pair correlation along and across the centre particle's "
+                      "axis up to this distance, in d_p; its centres lie further than R + AR from "
+                      "walls and surface")
+          ->check(number(0.1, 1000))
+          ->type_name("R");
+  command
+      .add_option("--axial-bin", options.along_across.bin_width,
+                  "width of a bin along and across, in d_p")
+      ->check(number(1e-3, 10))
+      ->capture_default_str()
+      ->type_name("DR")
+      ->needs(axial);
+}
+
+void require_few_bins(double distance, double width, double most, const std::string& option,
+                      const std::string& up_to) {
+  if (distance / width > most)
+    throw CLI::ValidationError(option, "expected at most " + number_text(most) + " bins up to " +
+                                           up_to + ", found " + number_text(distance / width));
+}
+
+std::string largest_distances(const Rdf& rdf) {
+  return "last quarter of r: G = " + number_text(rdf.tail_g, 4) + " +- " +
+         number_text(rdf.tail_standard_error, 2) + '\n';
+}
+
+void rdf_in_space(const RdfCommand& options) {
+  if (options.explain)
+    throw CLI::ValidationError("--explain", "expected in a scene in a plane alone");
+  SpatialRdfSample sample(options.rdf);
+  std::optional<AxialRdfSample> axial_sample;
+  if (options.axial) axial_sample.emplace(options.along_across);
+  std::string setting;
+  options.input.for_frames([&](const Frame& frame) {
+    const auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
+    sample.add(packing);
+    if (axial_sample) axial_sample->add(packing);
+    setting = describe(packing);
+  });
+  const auto rdf = sample.result();
+  write_rdf_table(rdf, options.stem + ".csv");
+  plot_rdf(rdf, options.stem);
+  std::cout << setting << '\n' << options.input.passed_over_line() << rdf.centres << " centres";
+  if (rdf.margin > 0)
+    std::cout << " further than " << number_text(rdf.margin, 4) << " d_p from walls and surface"
+              << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "");
+  std::cout << '\n' << largest_distances(rdf);
+  std::string written = options.stem + ".csv .png .svg";
+  if (axial_sample) {
+    const auto axial = axial_sample->result();
+    write_axial_rdf_table(axial, options.stem + "_axial.csv");
+    plot_axial_rdf(axial, options.stem + "_axial");
+    std::cout << "along and across: " << axial.centres << " centres";
+    if (axial.margin > 0)
+      std::cout << " further than " << number_text(axial.margin, 4)
+                << " d_p from walls and surface";
+    std::cout << '\n';
+    written += ", " + options.stem + "_axial.csv .png .svg";
+  }
+  std::cout << "written: " << written << '\n';
+}
+
+void rdf_in_plane(const RdfCommand& options) {
+  if (options.axial) throw CLI::ValidationError("--axial", "expected in a scene in space alone");
   RdfSample sample(options.rdf);
   std::string setting;
   options.input.for_frames([&](const Frame& frame) {
@@ -101,10 +168,23 @@ void run_rdf(const RdfCommand& options) {
             << options.input.passed_over_line() << rdf.centres << " centres further than "
             << number_text(rdf.margin, 4) << " d_p from walls and surface"
             << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "") << '\n'
-            << "last quarter of r: G = " << number_text(rdf.tail_g, 4) << " +- "
-            << number_text(rdf.tail_standard_error, 2) << '\n'
-            << "written: " << options.stem << ".csv .png .svg\n";
+            << largest_distances(rdf) << "written: " << options.stem << ".csv .png .svg\n";
   if (explanation) write_explanation(*explanation, rdf, options.stem + "_explained");
+}
+
+void run_rdf(RdfCommand& options) {
+  require_few_bins(options.rdf.largest_distance, options.rdf.bin_width, 1e4, "--bin", "--r-max");
+  if (options.axial) {
+    options.along_across.largest_distance = *options.axial;
+    require_few_bins(*options.axial, options.along_across.bin_width, 1e3, "--axial-bin", "--axial");
+    if (2 * options.along_across.bin_width > *options.axial)
+      throw CLI::ValidationError(
+          "--axial", "expected at least 2 bins, found " + number_text(*options.axial) + " d_p");
+  }
+  if (options.input.is_in_space())
+    rdf_in_space(options);
+  else
+    rdf_in_plane(options);
 }
 
 }  // namespace
@@ -113,22 +193,28 @@ void add_rdf(CLI::App& app) {
   auto options = std::make_shared<RdfCommand>();
   auto* command = app.add_subcommand(
       "rdf",
-      "Radial distribution function G(r) of the centres of mass. Centres lie "
-      "further than (10 + AR) "
-      "d_p from the walls and from the surface of the bed (less in a small bed, "
-      "and the report says "
-      "so); their neighbours count up to AR d_p from them. G tends to 1 at large r.");
+      "Radial distribution function G(r) of the centres of mass, in a plane or in space. Centres "
+      "lie "
+      "further than (10 + AR) d_p from the walls and from the surface of the bed (less in a small "
+      "bed, and the report says so); their neighbours count up to AR d_p from them. G tends to 1 "
+      "at "
+      "large r.");
   command->footer(
       "Example:\n"
       "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --r-max 15\n"
       "writes rdf.csv and rdf.png/.svg.\n"
       "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --explain 1.7\n"
       "says in rdf_explained.csv and .png/.svg how the pairs of the peak near 1.7 d_p lie. To pool "
-      "runs, name\nthe last dump of each and add --all-frames.");
+      "runs, name\nthe last dump of each and add --all-frames.\n"
+      "  rodpack rdf bodies.dump --vertical z --axial 8\n"
+      "writes, in space, rdf_axial.csv and .png/.svg too: the pair correlation along and across a\n"
+      "particle's axis.");
   add_files(*command, options->input, "bodies");
   add_all_frames(*command, options->input);
   add_packing_options(*command, options->input);
+  add_space_options(*command, options->input);
   add_rdf_options(*command, *options);
+  add_axial_options(*command, *options);
   add_output(*command, options->stem);
 
   command->callback([options] { run_rdf(*options); });

@@ -5,27 +5,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "reading/checks/number_range.h"
+#include "reading/checks/particle_sizes.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
-namespace {
-
-double positive(double value, const std::string& what) {
-  if (!(value > 0))
-    throw DataError(what + ": expected a positive value, found " + number_text(value));
-  return value;
-}
-
-// Another unit of length shows as a factor of 100 or 1000.
-void require_diameter_of_spheres(double given, double mean, const std::string& where) {
-  if (given > 10 * mean || given < mean / 10)
-    throw DataError(where + ": particle diameter d_p: expected about the spheres' mean, " +
-                    number_text(mean, 4) + " m, found " + number_text(given, 4) + " m");
-}
-
-}  // namespace
 
 Walls find_walls(const Frame& frame, const PackingOptions& options,
                  const std::optional<RunParameters>& parameters) {
@@ -68,35 +52,14 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
   for (const double count : frame.column("nspheres")) packing.elongated.push_back(count > 1);
   packing.walls = find_walls(frame, options, parameters);
 
-  const auto& radius = frame.column("radius");
-  const auto& half_length = frame.column("half_length");
-  const auto from_parameters = [&](const char* key) -> std::optional<double> {
-    if (parameters && parameters->values.contains(key)) return parameters->number(key);
-    return std::nullopt;
-  };
-  const auto first_of = [](std::optional<double> a, std::optional<double> b, double c) {
-    return a ? *a : b.value_or(c);
-  };
-  const double mean_diameter =
-      2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(frame.rows);
-  packing.particle_diameter = positive(
-      first_of(options.particle_diameter, from_parameters("particle_diameter_m"), mean_diameter),
-      where + ": particle diameter");
-  require_diameter_of_spheres(packing.particle_diameter, mean_diameter, where);
+  const auto sizes = particle_sizes(frame, options, parameters);
+  packing.particle_diameter = sizes.diameter;
+  packing.aspect_ratio = sizes.aspect_ratio;
   if (!options.out_of_plane_too) require_planar_bodies(frame, packing.particle_diameter);
-  const double longest = 2 * *std::max_element(half_length.begin(), half_length.end());
-  packing.aspect_ratio = positive(first_of(options.aspect_ratio, from_parameters("aspect_ratio"),
-                                           longest / packing.particle_diameter),
-                                  where + ": aspect ratio");
   if (packing.walls.width() < packing.particle_diameter)
     throw DataError(packing.walls.source + ": expected a container or period of at least d_p = " +
                     number_text(packing.particle_diameter, 4) + " m, found one of " +
                     number_text(packing.walls.width(), 4) + " m");
-  // A plain sphere with a drawn size may be a little shorter than d_p.
-  constexpr NumberRange ratios{0.5, 1000};
-  if (!ratios.contains(packing.aspect_ratio))
-    throw DataError(where + ": aspect ratio AR: expected " + ratios.text() + ", found " +
-                    number_text(packing.aspect_ratio, 4));
   // It would touch itself, and a kernel of its size would see many images of all others.
   if (!packing.walls.sides && packing.axial_length() > packing.walls.width())
     throw DataError(packing.walls.source + ": expected a period of at least a particle's length, " +

@@ -8,6 +8,12 @@
 #include "analysis/pressure_profile.h"
 #include "analysis/rdf.h"
 #include "analysis/solid_fraction.h"
+#include "analysis/space/axial_rdf.h"
+#include "analysis/space/body_volumes.h"
+#include "analysis/space/fabric.h"
+#include "analysis/space/spatial_orientation.h"
+#include "analysis/space/spatial_rdf.h"
+#include "analysis/space/vertical_profile.h"
 #include "input_file.h"
 #include "reading/checks/frame_pool.h"
 #include "reading/checks/planar.h"
@@ -45,8 +51,35 @@ void measure_bodies(const Frame& frame) {
   });
 }
 
+// The same in space, along any axis.
+void measure_in_space(const Frame& frame) {
+  const std::string axis(1, "xyz"[frame.rows % 3]);
+  const SpatialPacking packing = read_spatial_packing(frame, {}, {axis, {}, {}});
+  attempt([&] {
+    SpatialOrientationSample sample;
+    sample.add(packing);
+    sample.result();
+  });
+  attempt([&] {
+    SpatialRdfSample sample({0.5, 3, 1});
+    sample.add(packing);
+    sample.result();
+  });
+  attempt([&] {
+    AxialRdfSample sample({0.5, 3});
+    sample.add(packing);
+    sample.result();
+  });
+  attempt([&] { body_volumes(frame); });
+}
+
 void measure_contacts(const Frame& frame) {
-  attempt([&] { measure_contact_forces(frame, nullptr, {}); });
+  attempt([&] {
+    ContactForceSample sample({});
+    sample.add(frame);
+    sample.result();
+    measure_fabric(sample.normals(), sample.normal_forces(), frame.rows % 3);
+  });
   attempt([&] { force_lines(frame); });
   attempt([&] { read_contacts(frame); });
   attempt([&] { require_planar_contacts(frame); });
@@ -67,6 +100,12 @@ void measure_stress(const Frame& bodies, const Frame& contacts) {
   });
 }
 
+void measure_stress_in_space(const Frame& bodies, const Frame& contacts) {
+  VerticalProfileSample sample({});
+  sample.add(read_spatial_packing(bodies, {}, {"z", {}, {}}), bodies, &contacts);
+  fit_janssen(sample.result());
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -77,6 +116,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for_each_frame({file.name()}, [&](const Frame& frame) {
       attempt([&] { pool.take(frame); });
       attempt([&] { measure_bodies(frame); });
+      attempt([&] { measure_in_space(frame); });
       attempt([&] { measure_contacts(frame); });
       attempt([&] {
         require_planar_spheres(frame, sphere_diameter(frame, {}));
@@ -85,6 +125,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       (frame.has("body_i") ? contacts : bodies) = frame;
     });
   });
-  if (bodies.rows > 0 && contacts.rows > 0) attempt([&] { measure_stress(bodies, contacts); });
+  if (bodies.rows > 0 && contacts.rows > 0) {
+    attempt([&] { measure_stress(bodies, contacts); });
+    attempt([&] { measure_stress_in_space(bodies, contacts); });
+  }
   return 0;
 }

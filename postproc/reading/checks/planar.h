@@ -15,10 +15,12 @@ namespace rodpack {
 /// leaks up to 0.04 d_p out of the plane.
 constexpr double planar_tolerance = 0.1;
 
-/// Refuses bodies that are not in one plane z = constant: their centres (column z), and the ends of
-/// rods as their quaternions put them, as far as the dump has these columns. A straight rod may be
-/// turned about its axis, a curved one has to lie in the plane. `particle_diameter`: d_p, m.
-/// @throws DataError naming file, line and particle.
+/// Says why the bodies are not in one plane z = constant: their centres (column z), or the ends of
+/// rods as their quaternions put them, as far as the dump has these columns; empty if they are. A
+/// straight rod may be turned about its axis, a curved one has to lie in the plane.
+/// `particle_diameter`: d_p, m. The text names file, line and particle.
+std::string why_bodies_not_planar(const Frame& bodies, double particle_diameter);
+/// @throws DataError with that text.
 void require_planar_bodies(const Frame& bodies, double particle_diameter);
 
 /// Refuses spheres whose centres are not in one plane. @throws DataError as above.

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_ANALYSIS_SPACE_SPATIAL_RDF_H
+#define RODPACK_ANALYSIS_SPACE_SPATIAL_RDF_H
+
+#include "analysis/pairs/rdf_sums.h"
+#include "reading/space/spatial_packing.h"
+
+namespace rodpack {
+
+/// G(r) = N(r + dr) / (4 pi r^2 dr rho) in space, collected over one or several frames: as
+/// RdfSample in the plane, with shells in place of rings, rho the number per volume and 4 pi r^2 dr
+/// the volume of the shell's part inside the window. In a cylinder, region and window are the
+/// upright square prisms within it. Where no axis has walls, all particles are centres and the
+/// margin is 0.
+class SpatialRdfSample {
+ public:
+  explicit SpatialRdfSample(const RdfOptions& options);
+  /// Adds the particles of a frame. @throws as neighbourhood().
+  void add(const SpatialPacking& packing);
+  Rdf result() const { return sums_.result(); }
+
+ private:
+  RdfOptions options_;
+  RdfSums sums_;
+};
+
+}  // namespace rodpack
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "reading/space/spatial_packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reading/checks/particle_sizes.h"
+#include "reading/checks/planar.h"
+#include "reading/number_text.h"
+#include "reading/parsing.h"
+
+namespace rodpack {
+namespace {
+
+constexpr const char* axis_names = "xyz";
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+std::optional<std::size_t> axis_named(const std::string& name) {
+  const auto at = std::string(axis_names).find(name);
+  if (name.size() != 1 || at == std::string::npos) return std::nullopt;
+  return at;
+}
+
+// The axis that points up, if anybody says so.
+std::optional<std::size_t> stated_vertical(const std::optional<RunParameters>& parameters,
+                                           const SpaceOptions& space) {
+  if (!space.vertical.empty()) {
+    if (const auto axis = axis_named(space.vertical)) return axis;
+    throw DataError("--vertical: expected one of x, y, z, found '" + shortened(space.vertical) +
+                    "'");
+  }
+  if (!parameters || !parameters->values.contains("vertical_axis")) return std::nullopt;
+  const auto& value = parameters->values.at("vertical_axis");
+  if (value.is_string())
+    if (const auto axis = axis_named(value.get<std::string>())) return axis;
+  throw DataError(parameters->file +
+                  ": key 'vertical_axis': expected \"x\", \"y\" or \"z\", found " +
+                  shortened(value.dump()));
+}
+
+void add_cylinder(const std::vector<double>& cylinder, SpatialWalls& walls) {
+  walls.round = true;
+  walls.middle = {cylinder.at(0), cylinder.at(1)};
+  walls.radius = cylinder.at(2);
+  if (!(walls.radius > 0))
+    throw DataError("--cylinder: expected a positive radius, found " + number_text(walls.radius));
+  for (const std::size_t which : {0U, 1U})
+    if (walls.periodic[walls.horizontal(which)])
+      throw DataError(std::string("--cylinder: expected a dump with walls along ") +
+                      axis_names[walls.horizontal(which)] + ", which is periodic");
+}
+
+SpatialWalls find_spatial_walls(const Frame& bodies, const SpaceOptions& space,
+                                std::size_t vertical) {
+  SpatialWalls walls;
+  walls.vertical = vertical;
+  walls.periodic = bodies.periodic;
+  const bool given = !space.container.empty();
+  walls.source = given ? "--container" : "box bounds of " + bodies.file;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    walls.low[axis] = given ? space.container.at(2 * axis) : bodies.bounds[axis][0];
+    walls.high[axis] = given ? space.container.at(2 * axis + 1) : bodies.bounds[axis][1];
+    if (!(walls.high[axis] > walls.low[axis]))
+      throw DataError(walls.source + ": expected the upper wall along " + axis_names[axis] +
+                      " beyond the lower one, found " + number_text(walls.low[axis]) + " and " +
+                      number_text(walls.high[axis]));
+    // The images of what crosses the border are one period of the dump away, no other length.
+    const double slack = 1e-9 * (walls.high[axis] - walls.low[axis]);
+    const auto& bounds = bodies.bounds[axis];
+    if (walls.periodic[axis] && (std::abs(walls.low[axis] - bounds[0]) > slack ||
+                                 std::abs(walls.high[axis] - bounds[1]) > slack))
+      throw DataError(walls.source + ": expected the period of the dump along " + axis_names[axis] +
+                      ", " + number_text(bounds[0]) + " to " + number_text(bounds[1]) +
+                      " m, found " + number_text(walls.low[axis]) + " to " +
+                      number_text(walls.high[axis]) + " m");
+  }
+  if (!space.cylinder.empty()) {
+    add_cylinder(space.cylinder, walls);
+    walls.source = "--cylinder, " + walls.source;
+  }
+  return walls;
+}
+
+// A container narrower than a sphere, or a period in which a particle would touch itself.
+void require_room(const SpatialPacking& packing) {
+  const auto& walls = packing.walls;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double extent = walls.high[axis] - walls.low[axis];
+    if (walls.round && axis != walls.vertical) extent = std::min(extent, 2 * walls.radius);
+    const double needed = walls.periodic[axis] ? packing.axial_length() : packing.particle_diameter;
+    if (extent < needed)
+      throw DataError(walls.source + ": expected " +
+                      (walls.periodic[axis] ? "a period of at least a particle's length, "
+                                            : "a container of at least d_p = ") +
+                      number_text(needed, 4) + " m along " + axis_names[axis] + ", found " +
+                      number_text(extent, 4) + " m");
+  }
+}
+
+}  // namespace
+
+double SpatialWalls::distance_to_sides(const Vector3& place) const {
+  double distance = endless;
+  for (const std::size_t which : {0U, 1U}) {
+    const auto axis = horizontal(which);
+    if (round || periodic[axis]) continue;
+    distance = std::min({distance, place[axis] - low[axis], high[axis] - place[axis]});
+  }
+  if (round)
+    distance =
+        radius - std::hypot(place[horizontal(0)] - middle[0], place[horizontal(1)] - middle[1]);
+  return distance;
+}
+
+double SpatialWalls::height(const Vector3& place) const {
+  return periodic[vertical] ? endless : place[vertical] - low[vertical];
+}
+
+std::optional<std::size_t> find_vertical(const std::string& dump, const std::string& parameters,
+                                         const SpaceOptions& space) {
+  return stated_vertical(find_parameters(dump, parameters), space);
+}
+
+bool is_in_space(const Frame& bodies, const PackingOptions& options, const SpaceOptions& space) {
+  const auto vertical = find_vertical(bodies.file, options.parameters, space);
+  if (bodies.rows == 0) return false;
+  constexpr std::size_t y = 1;
+  if (vertical.value_or(y) != y) return true;
+  const auto reason = why_bodies_not_planar(bodies, sphere_diameter(bodies, options));
+  if (!reason.empty() && !vertical)
+    throw DataError(reason +
+                    "; a scene in space needs --vertical, or 'vertical_axis' in parameters.json, "
+                    "the axis that points up");
+  return !reason.empty();
+}
+
+SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& options,
+                                    const SpaceOptions& space) {
+  if (bodies.rows == 0)
+    throw DataError(bodies.file + ":" + std::to_string(bodies.header_line) +
+                    ": the frame of timestep " + std::to_string(bodies.timestep) +
+                    " holds no particles");
+  const auto parameters = find_parameters(bodies.file, options.parameters);
+  const auto vertical = stated_vertical(parameters, space);
+  if (!vertical) throw DataError("--vertical: expected one of x, y, z, found none");
+  SpatialPacking packing;
+  packing.timestep = bodies.timestep;
+  const auto place = vector_columns(bodies, {"x", "y", "z"});
+  const auto& count = bodies.column("nspheres");
+  const BodyAxes axes(bodies);
+  for (std::size_t i = 0; i < bodies.rows; ++i) {
+    packing.centre.push_back({(*place[0])[i], (*place[1])[i], (*place[2])[i]});
+    packing.elongated.push_back(count[i] > 1);
+    packing.axis.push_back(count[i] > 1 ? axes.axis(i, 0) : Vector3{1, 0, 0});
+  }
+  packing.walls = find_spatial_walls(bodies, space, *vertical);
+  const auto sizes = particle_sizes(bodies, options, parameters);
+  packing.particle_diameter = sizes.diameter;
+  packing.aspect_ratio = sizes.aspect_ratio;
+  require_room(packing);
+  const auto& walls = packing.walls;
+  packing.surface = walls.high[*vertical];
+  if (!walls.periodic[*vertical]) {
+    const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
+    // Only ratios of the layers' contents matter: mass serves as volume does.
+    packing.surface =
+        bed_surface(*place[*vertical], bodies.column("mass"), walls.low[*vertical], 1.0, layer);
+  }
+  return packing;
+}
+
+}  // namespace rodpack

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The subcommands on dumps of scenes in space: what they write, say and refuse.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "liggghts_run.h"
+#include "spatial_scene.h"
+#include "../synthetic_packing.h"
+
+namespace {
+using namespace rodpack;
+using rodpack::test::fresh_folder;
+using rodpack::test::put;
+using rodpack::test::read_table;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class SpaceCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Vector3 size{0.1, 0.1, 0.1};
+    put(folder_ / "b.dump",
+        rodpack::test::spatial_bodies(rodpack::test::random_places(size, 3000, 5),
+                                      rodpack::test::watson_axes(4, 3000, 6), size));
+  }
+  rodpack::test::Run run(const std::string& arguments) const {
+    return rodpack::test::run_rodpack(arguments, folder_);
+  }
+  void expect_refusal(const std::string& arguments, int exit_code,
+                      const std::string& reason) const {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, exit_code) << arguments << result.output;
+    EXPECT_THAT(result.output, HasSubstr(reason)) << arguments;
+    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
+  }
+  void expect_files(const std::vector<std::string>& names) const {
+    for (const auto& name : names) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  }
+  fs::path folder_ = fresh_folder();
+};
+
+TEST_F(SpaceCommand, OrientationWritesItsTablesAndFigures) {
+  const auto result = run("orientation b.dump --vertical z -o o");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("in space, z up; walls: box bounds of b.dump"));
+  EXPECT_THAT(result.output, HasSubstr("of as many isotropic particles 0.0"));
+  expect_files({"o.png", "o.svg", "o_azimuth.png", "o_azimuth.svg"});
+  const auto polar = read_table(folder_ / "o.csv");
+  EXPECT_EQ(polar.rows(), 18U);
+  double mean = 0;
+  for (const double each : polar.column("density_over_isotropic")) mean += each / 18;
+  EXPECT_NEAR(mean, 1, 1e-8);
+  EXPECT_EQ(read_table(folder_ / "o_azimuth.csv").rows(), 36U);
+  const auto order = read_table(folder_ / "o_order.csv");
+  const double exact = (3 * rodpack::test::watson_mean_square(4) - 1) / 2;
+  EXPECT_NEAR(order.column("order")[0], exact, 4 * order.column("standard_error")[0]);
+  EXPECT_GT(order.column("direction_z")[0], 0.99);
+  EXPECT_LT(order.column("polar_deg")[0], 4);
+}
+
+// The directions turn with the scene: y up is z up with the axes renamed.
+TEST_F(SpaceCommand, AnotherVerticalIsTheSameSceneTurned) {
+  const Vector3 size{0.1, 0.1, 0.1};
+  put(folder_ / "y.dump",
+      rodpack::test::spatial_bodies(
+          rodpack::test::with_y_up(rodpack::test::random_places(size, 3000, 5)),
+          rodpack::test::with_y_up(rodpack::test::watson_axes(4, 3000, 6)), size));
+  ASSERT_EQ(run("orientation b.dump --vertical z -o z").exit_code, 0);
+  ASSERT_EQ(run("orientation y.dump --vertical y -o y").exit_code, 0);
+  const auto z = read_table(folder_ / "z.csv"), y = read_table(folder_ / "y.csv");
+  EXPECT_EQ(z.column("count"), y.column("count"));
+  EXPECT_EQ(read_table(folder_ / "z_azimuth.csv").column("count"),
+            read_table(folder_ / "y_azimuth.csv").column("count"));
+}
+
+TEST_F(SpaceCommand, OptionsOfTheOtherKindOfSceneAreRefused) {
+  expect_refusal("orientation b.dump", 1, "a scene in space needs --vertical");
+  expect_refusal("orientation b.dump --vertical z --walls 0 0.1 0", 2,
+                 "--walls: expected in a scene in a plane alone");
+  rodpack::test::SyntheticPacking planar;
+  planar.fill();
+  put(folder_ / "planar.dump", planar.bodies_frame(1));
+  expect_refusal("orientation planar.dump --container 0 1 0 1 0 1", 2,
+                 "--container: expected in a scene in space alone");
+  expect_refusal("orientation planar.dump --cylinder 0 1 1", 2,
+                 "--cylinder: expected in a scene in space alone");
+  expect_refusal("orientation b.dump --vertical up", 2,
+                 "--vertical: expected one of x, y, z, found 'up'");
+  expect_refusal("orientation b.dump --vertical z --cylinder 0 0 0", 1,
+                 "--cylinder: expected a positive radius, found 0");
+}
+
+TEST_F(SpaceCommand, RdfWritesItsTablesAndFigures) {
+  const auto result =
+      run("rdf b.dump --vertical z --r-max 6 --axial 6 --axial-bin 0.5 --margin 12");
+  ASSERT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr(" centres further than 12 d_p from walls and surface\n"));
+  EXPECT_THAT(
+      result.output,
+      HasSubstr(" centres further than 11 d_p from walls and surface\nwritten: rdf.csv .png "
+                ".svg, rdf_axial.csv .png .svg\n"));
+  expect_files({"rdf.png", "rdf.svg", "rdf_axial.png", "rdf_axial.svg"});
+  EXPECT_EQ(read_table(folder_ / "rdf.csv").rows(), 60U);
+  const auto axial = read_table(folder_ / "rdf_axial.csv");
+  EXPECT_EQ(axial.column("along_over_dp")[0], 0.25);
+  double pairs = 0;
+  for (const double each : axial.column("pairs")) pairs += each;
+  EXPECT_GT(pairs, 1000);
+}
+
+TEST_F(SpaceCommand, RdfRefusesWhatItCannotMeasure) {
+  expect_refusal("rdf b.dump", 1, "a scene in space needs --vertical");
+  expect_refusal("rdf b.dump --vertical z --explain 1", 2,
+                 "--explain: expected in a scene in a plane alone");
+  expect_refusal("rdf b.dump --vertical z --axial 1 --axial-bin 0.6", 2,
+                 "--axial: expected at least 2 bins");
+  expect_refusal("rdf b.dump --vertical z --axial 100 --axial-bin 0.01", 2,
+                 "--axial-bin: expected at most 1000 bins up to --axial, found 10000");
+  expect_refusal("rdf b.dump --vertical z --axial 40", 1,
+                 "fewer than 2 particles lie further than");
+  rodpack::test::SyntheticPacking planar;
+  planar.fill();
+  put(folder_ / "planar.dump", planar.bodies_frame(1));
+  expect_refusal("rdf planar.dump --axial 3", 2, "--axial: expected in a scene in space alone");
+  EXPECT_FALSE(fs::exists(folder_ / "rdf.csv"));
+}
+
+}  // namespace
