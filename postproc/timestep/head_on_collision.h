@@ -14,8 +14,8 @@ struct Integrator {
   int order;         // 1 to 4; 0: velocity Verlet as LIGGGHTS has it
   bool events;       // whether it follows the events of contacts
 };
-/// Those to choose from: velocity Verlet of fix multisphere, multisphere/ab of orders 1 to 3 without
-/// events, of orders 2 to 4 with them.
+/// Those to choose from: velocity Verlet of fix multisphere, multisphere/ab of orders 1 to 3
+/// without events, of orders 2 to 4 with them.
 const std::vector<Integrator>& integrators();
 
 /// Error of the rebound speed of a head-on collision under the contact law of Lu et al. (2016) with
