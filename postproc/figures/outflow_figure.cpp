@@ -50,7 +50,7 @@ void plot_beverloo(const std::vector<double>& width, const std::vector<double>& 
               blocks +
                   "set xlabel 'width of the orifice, {/:Italic D} / {/:Italic d}_p'\n"
                   "set ylabel 'flow rate, {/:Italic Q} ({/:Italic d}_p / {/:Italic g})^{1/2}'\n"
-                  "set offsets graph 0.05, graph 0.05, graph 0.05, 0\n"
+                  "set offsets 0, graph 0.05, graph 0.05, 0\n"
                   "set xrange [0:*]\nset yrange [0:*]\nset key top left\nset samples 400\n" +
                   plots + '\n');
 }

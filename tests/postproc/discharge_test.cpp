@@ -20,9 +20,9 @@ using test::fresh_folder;
 using test::put;
 using testing::HasSubstr;
 
-constexpr double interval = 0.01;  // s, of the rows
+constexpr double interval = 0.004;  // s, of the rows
 
-// 500 particles per second until `all` are out of 1000, from 0.1 s before the opening to `end`.
+// 500 particles per second until `all` are out of 1000, from ten rows before the opening to `end`.
 OutflowHistory even_flow(double all, double end, double throat_at_end) {
   OutflowHistory history;
   for (int i = -10; i * interval <= end + 1e-9; ++i) {
@@ -66,11 +66,13 @@ TEST(Outflow, StandardErrorIsThatOfTenIntervals) {
   EXPECT_NEAR(*outflow.rate_error, 50. / 3, 1e-6);
 }
 
-TEST(Outflow, StoppedFlowIsCloggedWhereTheThroatIsFullElseDrained) {
+// A quarter of the 80 particles in the throat at the opening are 20.
+TEST(Outflow, FullThroatFlowsOrIsCloggedAnEmptyOneHasDrained) {
   EXPECT_EQ(measure_outflow(even_flow(800, 2, 0), {}).end, OutflowEnd::drained);
   EXPECT_EQ(measure_outflow(even_flow(800, 2, 19), {}).end, OutflowEnd::drained);
   EXPECT_EQ(measure_outflow(even_flow(800, 2, 20), {}).end, OutflowEnd::clogged);
   EXPECT_EQ(measure_outflow(even_flow(800, 1.75, 20), {}).end, OutflowEnd::flowing);
+  EXPECT_EQ(measure_outflow(even_flow(800, 1.75, 19), {}).end, OutflowEnd::drained);
   EXPECT_EQ(measure_outflow(even_flow(0, 2, 80), {}).end, OutflowEnd::clogged);
 }
 

@@ -94,10 +94,10 @@ Outflow measure_outflow(const OutflowHistory& history, const OutflowOptions& opt
     measure_rate(history, outflow);
   }
   constexpr double arch_share = 0.25;
-  if (history.time.back() - outflow.last >= options.stopped_after)
-    outflow.end = history.throat.back() > 0 && history.throat.back() >= arch_share * throat
-                      ? OutflowEnd::clogged
-                      : OutflowEnd::drained;
+  if (history.throat.back() < arch_share * throat || history.throat.back() <= 0)
+    outflow.end = OutflowEnd::drained;
+  else if (history.time.back() - outflow.last >= options.stopped_after)
+    outflow.end = OutflowEnd::clogged;
   return outflow;
 }
 

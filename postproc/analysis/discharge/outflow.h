@@ -43,9 +43,10 @@ struct Outflow {
 /// through have done so, which leaves out the start and the emptying. Its standard error is that
 /// of the mean over ten intervals of equal length, taken for independent. No rate where fewer than
 /// 50 particles come through in that time, or it has fewer than 20 rows.
-/// Without outflow during the last `stopped_after` seconds it has stopped: clogged, if a quarter
-/// or more of what was in the throat at the opening is there, else drained to the wedges beside
-/// the orifice, or empty. @throws DataError when nothing has been counted before the opening.
+/// With less than a quarter of what was in the throat at the opening there the silo has drained, to
+/// the wedges beside the orifice of which single particles may still come. With more it has clogged
+/// if nothing came through during the last `stopped_after` seconds, else it is flowing.
+/// @throws DataError when nothing has been counted before the opening.
 Outflow measure_outflow(const OutflowHistory& history, const OutflowOptions& options);
 
 /// Says "flowing", "clogged" or "drained".
