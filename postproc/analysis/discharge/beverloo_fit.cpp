@@ -52,7 +52,8 @@ void fit_exponent(const std::vector<double>& width, const std::vector<double>& r
   double best = 0, step = top / grid;
   for (int i = 1; i < grid; ++i)
     if (line_at(i * step).residual < line_at(best).residual) best = i * step;
-  for (; step > 1e-12 * top; step /= 2)
+  constexpr int halvings = 32;
+  for (int i = 0; i < halvings; ++i, step /= 2)
     for (const double k : {best - step, best + step})
       if (k >= 0 && k < top && line_at(k).residual < line_at(best).residual) best = k;
   const auto column = logarithms(width, best);
