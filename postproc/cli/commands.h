@@ -21,6 +21,7 @@ void add_report(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_accuracy(CLI::App& app);
 void add_timestep(CLI::App& app);
+void add_discharge(CLI::App& app);
 
 }  // namespace rodpack::cli
 

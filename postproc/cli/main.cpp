@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   cli::add_compare(app);
   cli::add_accuracy(app);
   cli::add_timestep(app);
+  cli::add_discharge(app);
 
   try {
     app.parse(argc, argv);

@@ -57,7 +57,7 @@ TEST(CommandLine, HelpTeachesWithAnExampleAndSucceeds) {
   EXPECT_EQ(rodpack_command("--help").exit_code, 0);
   for (const std::string name :
        {"orientation", "rdf", "forces", "render", "stress", "solid-fraction", "profile", "export",
-        "analyse", "report", "ensemble"}) {
+        "analyse", "report", "ensemble", "discharge"}) {
     const auto run = rodpack_command(name + " --help");
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_THAT(run.output, HasSubstr("Example"));

@@ -75,7 +75,8 @@ std::string RunFolder::resume(const std::string& folder, const std::string& rest
   std::string fault = remove_unfinished(folder);
   for (const char* part : {"/dumps", "/restart"})
     if (fault.empty()) fault = remove_unfinished(folder + part);
-  if (fault.empty()) fault = cut_table(folder + "/energies.csv", step);
+  for (const char* table : {"/energies.csv", "/discharge.csv"})
+    if (fault.empty()) fault = cut_table(folder + table, step);
   if (fault.empty()) fault = remove_later_dumps(folder + "/dumps", step);
   if (fault.empty()) fault = rename_later_restarts(folder + "/restart", step, restart);
   if (!fault.empty()) return fault;

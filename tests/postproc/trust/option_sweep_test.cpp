@@ -16,9 +16,10 @@ using rodpack::test::fresh_folder;
 using rodpack::test::put;
 namespace fs = std::filesystem;
 
-constexpr const char* subcommands[] = {"analyse",  "report",  "orientation",    "rdf",     "forces",
-                                       "render",   "stress",  "solid-fraction", "profile", "export",
-                                       "ensemble", "compare", "accuracy",       "timestep"};
+constexpr const char* subcommands[] = {"analyse",  "report",   "orientation", "rdf",
+                                       "forces",   "render",   "stress",      "solid-fraction",
+                                       "profile",  "export",   "ensemble",    "compare",
+                                       "accuracy", "timestep", "discharge"};
 
 struct Answer {
   int exit_code;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "analysis/discharge/beverloo_fit.h"
+
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <string>
+
+#include "reading/dump.h"
+
+namespace rodpack {
+namespace {
+
+// The straight line y = a + b x of least squares.
+struct Line {
+  double a, b;
+  double mean_x, sxx;
+  double residual;  // sum of squares
+};
+
+Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto n = static_cast<double>(x.size());
+  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  const double my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double sxx = 0, sxy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sxx += (x[i] - mx) * (x[i] - mx);
+    sxy += (x[i] - mx) * (y[i] - my);
+  }
+  Line line{my - sxy / sxx * mx, sxy / sxx, mx, sxx, 0};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double off = y[i] - line.a - line.b * x[i];
+    line.residual += off * off;
+  }
+  return line;
+}
+
+std::vector<double> logarithms(const std::vector<double>& values, double less) {
+  std::vector<double> result;
+  for (const double each : values) result.push_back(std::log(each - less));
+  return result;
+}
+
+// The exponent and its standard error with k free. By Frisch and Waugh the variance of one
+// parameter of a linear model is that of the residuals over the squares of its own column after
+// the others, here 1 and the derivative by k, -n / (x - k), have been fitted out of it.
+void fit_exponent(const std::vector<double>& width, const std::vector<double>& rate, double top,
+                  BeverlooFit& fit) {
+  const auto y = logarithms(rate, 0);
+  const auto line_at = [&](double k) { return fit_line(logarithms(width, k), y); };
+  constexpr int grid = 400;
+  double best = 0, step = top / grid;
+  for (int i = 1; i < grid; ++i)
+    if (line_at(i * step).residual < line_at(best).residual) best = i * step;
+  constexpr int halvings = 32;
+  for (int i = 0; i < halvings; ++i, step /= 2)
+    for (const double k : {best - step, best + step})
+      if (k >= 0 && k < top && line_at(k).residual < line_at(best).residual) best = k;
+  const auto column = logarithms(width, best);
+  std::vector<double> by_k;
+  for (const double x : width) by_k.push_back(1 / (x - best));
+  const double own = fit_line(by_k, column).residual;
+  const Line line = fit_line(column, y);
+  fit.exponent = line.b;
+  fit.exponent_error = std::sqrt(line.residual / (static_cast<double>(width.size()) - 3) / own);
+}
+
+}  // namespace
+
+BeverlooFit fit_beverloo(const std::vector<double>& width, const std::vector<double>& rate) {
+  const std::set<double> widths(width.begin(), width.end());
+  if (widths.size() < 3)
+    throw TooFewParticles("Beverloo's law: " + std::to_string(widths.size()) +
+                          " widths with a steady flow, expected at least 3");
+  std::vector<double> root;
+  for (const double each : rate) root.push_back(std::cbrt(each * each));
+  const Line line = fit_line(width, root);
+  if (!(line.b > 0))
+    throw TooFewParticles("Beverloo's law: expected rates that rise with the width of the orifice");
+  const auto n = static_cast<double>(width.size());
+  const double variance = line.residual / (n - 2);
+  BeverlooFit fit;
+  fit.c = std::pow(line.b, 1.5);
+  fit.c_error = 1.5 * std::sqrt(line.b) * std::sqrt(variance / line.sxx);
+  // The line's zero k = mean x - mean y / b, whose two parts have independent errors.
+  fit.k = -line.a / line.b;
+  const double arm = line.mean_x - fit.k;
+  fit.k_error = std::sqrt(variance * (1 / n + arm * arm / line.sxx)) / line.b;
+  if (widths.size() >= 4) fit_exponent(width, rate, *widths.begin(), fit);
+  return fit;
+}
+
+}  // namespace rodpack

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "analysis/discharge/beverloo_fit.h"
+#include "analysis/discharge/outflow.h"
+#include "cli/checks.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "figures/outflow_figure.h"
+#include "reading/csv_file.h"
+#include "reading/data_error.h"
+#include "reading/dump.h"
+#include "reading/number_text.h"
+#include "reading/parameters.h"
+#include "reading/text_file.h"
+
+namespace rodpack::cli {
+namespace {
+namespace fs = std::filesystem;
+
+struct DischargeCommand {
+  std::vector<std::string> runs;
+  OutflowOptions outflow;
+  std::string stem = "outflow";
+};
+
+struct MeasuredRun {
+  std::string folder;
+  OutflowHistory history;
+  Outflow outflow;
+  double width;       // D / d_p
+  double rate_scale;  // sqrt(d_p / g), s
+};
+
+MeasuredRun measure_run(const std::string& folder, const OutflowOptions& options) {
+  const auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
+  const double width = parameters.number("orifice_width_m"), g = parameters.number("gravity_m_s2");
+  const double diameter = parameters.number("particle_diameter_m");
+  if (!(width > 0 && g > 0))
+    throw DataError(parameters.file +
+                    ": expected orifice_width_m and gravity_m_s2 above 0, found " +
+                    number_text(width) + " and " + number_text(g));
+  auto history = read_outflow((fs::path(folder) / "discharge.csv").string());
+  auto outflow = measure_outflow(history, options);
+  return {folder, std::move(history), outflow, width / diameter, std::sqrt(diameter / g)};
+}
+
+std::string or_empty(const std::optional<double>& value, double factor = 1) {
+  return value ? number_text(*value * factor) : "";
+}
+
+void write_table(const std::vector<MeasuredRun>& runs, const std::string& file) {
+  std::string text = csv_line({"run", "orifice_width_over_dp", "rate_per_s", "rate_sem_per_s",
+                               "rate_times_sqrt_dp_over_g", "rate_sem_times_sqrt_dp_over_g",
+                               "from_s", "to_s", "discharged", "inside", "last_outflow_s", "end"}) +
+                     '\n';
+  for (const auto& run : runs) {
+    const auto& out = run.outflow;
+    text +=
+        csv_line({run.folder, number_text(run.width), or_empty(out.rate), or_empty(out.rate_error),
+                  or_empty(out.rate, run.rate_scale), or_empty(out.rate_error, run.rate_scale),
+                  number_text(out.from), number_text(out.to), number_text(out.discharged),
+                  number_text(out.inside), number_text(out.last), describe(out.end)});
+    text += '\n';
+  }
+  write_text(file, text);
+}
+
+void print_run(const MeasuredRun& run) {
+  const auto& out = run.outflow;
+  std::cout << run.folder << ": D = " << number_text(run.width, 4) << " d_p, " << describe(out.end)
+            << " at the end, " << number_text(out.discharged, 5) << " particles out, "
+            << number_text(out.inside, 5) << " inside";
+  if (out.rate)
+    std::cout << "; Q = " << number_text(*out.rate, 4) << " +- " << number_text(*out.rate_error, 2)
+              << " /s from " << number_text(out.from, 3) << " to " << number_text(out.to, 3)
+              << " s, Q sqrt(d_p/g) = " << number_text(*out.rate * run.rate_scale, 4);
+  else
+    std::cout << "; too few for a steady rate";
+  std::cout << '\n';
+}
+
+// The law of the runs with a steady flow; none, and a line that says why, where there are too few.
+void fit_and_draw(const std::vector<MeasuredRun>& runs, const std::string& stem) {
+  std::vector<double> width, rate, error, clogged;
+  for (const auto& run : runs) {
+    if (run.outflow.end == OutflowEnd::clogged) {
+      clogged.push_back(run.width);
+    } else if (run.outflow.rate) {
+      width.push_back(run.width);
+      rate.push_back(*run.outflow.rate * run.rate_scale);
+      error.push_back(*run.outflow.rate_error * run.rate_scale);
+    }
+  }
+  if (width.empty() && clogged.empty())
+    throw TooFewParticles("discharge: none of the runs has a steady rate or is clogged");
+  std::optional<BeverlooFit> fit;
+  try {
+    fit = fit_beverloo(width, rate);
+    std::cout << "Q sqrt(d_p/g) = C (D/d_p - k)^(3/2): C = " << number_text(fit->c, 3) << " +- "
+              << number_text(fit->c_error, 2) << ", k = " << number_text(fit->k, 3) << " +- "
+              << number_text(fit->k_error, 2) << '\n';
+    if (fit->exponent)
+      std::cout << "with C, k and the exponent free: exponent " << number_text(*fit->exponent, 3)
+                << " +- " << number_text(*fit->exponent_error, 2) << '\n';
+  } catch (const TooFewParticles& why) {
+    std::cout << why.what() << '\n';
+  }
+  plot_beverloo(width, rate, error, clogged, fit, stem);
+}
+
+void run_discharge(const DischargeCommand& command) {
+  if (command.outflow.from >= command.outflow.to)
+    throw CLI::ValidationError("--from", "expected less than --to, found " +
+                                             number_text(command.outflow.from) + " and " +
+                                             number_text(command.outflow.to));
+  std::vector<MeasuredRun> runs;
+  for (const auto& folder : command.runs) runs.push_back(measure_run(folder, command.outflow));
+  for (const auto& run : runs) print_run(run);
+  if (runs.size() == 1)
+    plot_outflow(runs.front().history, runs.front().outflow, command.stem);
+  else
+    fit_and_draw(runs, command.stem);
+  write_table(runs, command.stem + ".csv");
+  std::cout << "written: " << command.stem << ".csv .png .svg\n";
+}
+
+}  // namespace
+
+void add_discharge(CLI::App& app) {
+  auto options = std::make_shared<DischargeCommand>();
+  auto* command = app.add_subcommand(
+      "discharge",
+      "Flow through an orifice, of runs of inputs/discharge/: steady rate with its standard error, "
+      "clogged or not; of several widths Beverloo's law and the exponent.");
+  command->footer(
+      "Examples:\n"
+      "  rodpack discharge results/orifice_24mm\n"
+      "writes outflow.csv and outflow.png/.svg, the discharged particles over time.\n"
+      "  rodpack discharge results/orifice_*\n"
+      "writes a row per run and the figure of the rate over the width.");
+  command->add_option("runs", options->runs, "run folders FOLDER...")
+      ->required()
+      ->check(existing_folder());
+  command
+      ->add_option("--from", options->outflow.from,
+                   "share of all that comes through at which the steady flow begins")
+      ->check(number(0, 1))
+      ->capture_default_str();
+  command->add_option("--to", options->outflow.to, "share at which it ends")
+      ->check(number(0, 1))
+      ->capture_default_str();
+  command
+      ->add_option("--stopped-after", options->outflow.stopped_after,
+                   "time without outflow at the end, s, after which it has stopped")
+      ->check(positive_number(1e6))
+      ->capture_default_str();
+  add_output(*command, options->stem);
+  command->callback([options] { run_discharge(*options); });
+}
+
+}  // namespace rodpack::cli

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "figures/outflow_figure.h"
+
+#include "figures/figure.h"
+#include "reading/number_text.h"
+
+namespace rodpack {
+
+void plot_outflow(const OutflowHistory& history, const Outflow& outflow, const std::string& stem) {
+  std::string rate;
+  if (outflow.rate) {
+    // The steady line goes through the count where its interval begins.
+    std::size_t i = 0;
+    while (i + 1 < history.time.size() && history.time[i] < outflow.from) ++i;
+    rate = ", [" + number_text(outflow.from) + ':' + number_text(outflow.to) + "] " +
+           number_text(history.discharged[i]) + '+' + number_text(*outflow.rate) + "*(x-" +
+           number_text(history.time[i]) + ") with lines linewidth 2.4 linecolor '" +
+           colour::vermilion + "' title 'steady rate'";
+  }
+  draw_figure(stem, 1.4,
+              datablock("n", {history.time, history.discharged}) +
+                  "set xlabel 'time since the opening (s)'\nset ylabel 'discharged particles'\n"
+                  "set xrange [0:*]\nset yrange [0:*]\nset key bottom right\n"
+                  "plot $n using 1:2 with lines linewidth 1.4 linecolor '" +
+                  colour::blue + "' title 'counted'" + rate + '\n');
+}
+
+void plot_beverloo(const std::vector<double>& width, const std::vector<double>& rate,
+                   const std::vector<double>& rate_error, const std::vector<double>& clogged,
+                   const std::optional<BeverlooFit>& fit, const std::string& stem) {
+  std::string blocks, plots;
+  const auto add = [&](const std::string& plot) {
+    plots += (plots.empty() ? "plot " : ", ") + plot;
+  };
+  if (fit)
+    add("(x > " + number_text(fit->k) + " ? " + number_text(fit->c) + "*(x-(" +
+        number_text(fit->k) + "))**1.5 : NaN) with lines linewidth 1.4 linecolor '" +
+        colour::vermilion + "' title 'Beverloo, exponent 3/2'");
+  if (!width.empty()) {
+    blocks += datablock("q", {width, rate, rate_error});
+    add("$q using 1:2:3 with yerrorbars pointtype 7 pointsize 1.2 linewidth 1.4 linecolor '" +
+        std::string(colour::blue) + "' title 'runs'");
+  }
+  if (!clogged.empty()) {
+    blocks += datablock("c", {clogged, std::vector<double>(clogged.size(), 0.0)});
+    add("$c using 1:2 with points pointtype 2 pointsize 1.6 linewidth 1.8 linecolor '" +
+        std::string(colour::grey) + "' title 'clogged'");
+  }
+  draw_figure(stem, 1.4,
+              blocks +
+                  "set xlabel 'width of the orifice, {/:Italic D} / {/:Italic d}_p'\n"
+                  "set ylabel 'flow rate, {/:Italic Q} ({/:Italic d}_p / {/:Italic g})^{1/2}'\n"
+                  "set offsets 0, graph 0.05, graph 0.05, 0\n"
+                  "set xrange [0:*]\nset yrange [0:*]\nset key top left\nset samples 400\n" +
+                  plots + '\n');
+}
+
+}  // namespace rodpack

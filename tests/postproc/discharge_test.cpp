@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The steady rate of an outflow whose counts are written down, and Beverloo's law of exact rates.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "analysis/discharge/beverloo_fit.h"
+#include "analysis/discharge/outflow.h"
+#include "liggghts_run.h"
+#include "reading/dump.h"
+#include "synthetic_packing.h"
+
+namespace {
+
+using namespace rodpack;
+using test::fresh_folder;
+using test::put;
+using testing::HasSubstr;
+
+constexpr double interval = 0.004;  // s, of the rows
+
+// 500 particles per second until `all` are out of 1000, from ten rows before the opening to `end`.
+OutflowHistory even_flow(double all, double end, double throat_at_end) {
+  OutflowHistory history;
+  for (int i = -10; i * interval <= end + 1e-9; ++i) {
+    const double t = i * interval, out = std::clamp(500 * t, 0.0, all);
+    history.time.push_back(t);
+    history.discharged.push_back(out);
+    history.inside.push_back(1000 - out);
+    history.throat.push_back(out < all ? 80 : throat_at_end);
+  }
+  return history;
+}
+
+TEST(Outflow, EvenFlowHasItsRateAndNoError) {
+  const auto outflow = measure_outflow(even_flow(800, 2, 0), {});
+  ASSERT_TRUE(outflow.rate);
+  EXPECT_NEAR(*outflow.rate, 500, 1e-9);
+  EXPECT_NEAR(*outflow.rate_error, 0, 1e-9);
+  // 20 and 70 % of 800 at 500 per second.
+  EXPECT_NEAR(outflow.from, 0.32, 1e-12);
+  EXPECT_NEAR(outflow.to, 1.12, 1e-12);
+  EXPECT_NEAR(outflow.last, 1.6, 1e-12);
+  EXPECT_EQ(outflow.discharged, 800);
+  EXPECT_EQ(outflow.inside, 200);
+}
+
+// Ten intervals of 550 and 450 per second in turn deviate by 50 from their mean: the standard error
+// of the mean is 50 sqrt(10/9) / sqrt(10) = 50/3.
+TEST(Outflow, StandardErrorIsThatOfTenIntervals) {
+  OutflowHistory history;
+  double out = 0;
+  for (int i = -1; i <= 100; ++i) {
+    history.time.push_back(i * interval);
+    history.discharged.push_back(out);
+    history.inside.push_back(500 - out);
+    history.throat.push_back(10);
+    if (i >= 0 && i < 100) out += (i / 10 % 2 == 0 ? 550 : 450) * interval;
+  }
+  const auto outflow = measure_outflow(history, {0, 1, 0.2});
+  ASSERT_TRUE(outflow.rate);
+  EXPECT_NEAR(*outflow.rate, 500, 1e-8);
+  EXPECT_NEAR(*outflow.rate_error, 50. / 3, 1e-6);
+}
+
+// A quarter of the 80 particles in the throat at the opening are 20.
+TEST(Outflow, FullThroatFlowsOrIsCloggedAnEmptyOneHasDrained) {
+  EXPECT_EQ(measure_outflow(even_flow(800, 2, 0), {}).end, OutflowEnd::drained);
+  EXPECT_EQ(measure_outflow(even_flow(800, 2, 19), {}).end, OutflowEnd::drained);
+  EXPECT_EQ(measure_outflow(even_flow(800, 2, 20), {}).end, OutflowEnd::clogged);
+  EXPECT_EQ(measure_outflow(even_flow(800, 1.75, 20), {}).end, OutflowEnd::flowing);
+  EXPECT_EQ(measure_outflow(even_flow(800, 1.75, 19), {}).end, OutflowEnd::drained);
+  EXPECT_EQ(measure_outflow(even_flow(0, 2, 80), {}).end, OutflowEnd::clogged);
+}
+
+TEST(Outflow, FewParticlesHaveNoRate) {
+  EXPECT_TRUE(measure_outflow(even_flow(101, 2, 80), {}).rate);
+  EXPECT_FALSE(measure_outflow(even_flow(99, 2, 80), {}).rate);
+}
+
+TEST(Outflow, ReadsItsTableWithoutRowsThatWereComputedAnew) {
+  const auto file = fresh_folder() / "discharge.csv";
+  const std::string head = "step,time_s,since_opening_s,particles,inside,discharged,throat\n";
+  put(file, head + "1,1,-0.5,9,9,0,3\n2,2,0.5,9,8,1,3\n3,3,1.5,9,7,2,3\n2,2,0.5,9,8,1,2\n");
+  const auto history = read_outflow(file.string());
+  EXPECT_EQ(history.time, (std::vector<double>{-0.5, 0.5}));
+  EXPECT_EQ(history.throat, (std::vector<double>{3, 2}));
+  const auto refusal = [&](const std::string& rows) -> std::string {
+    put(file, head + rows);
+    try {
+      measure_outflow(read_outflow(file.string()), {});
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal("1,1,-0.5,9,9,0,3\n"), HasSubstr("no rows after the opening"));
+  EXPECT_THAT(refusal("1,1,0.5,9,9,0,3\n"), HasSubstr("no row before the opening"));
+  EXPECT_THAT(refusal("1,1,0.5,9,9,-1,3\n"), HasSubstr("discharge.csv:2: expected a number of "));
+}
+
+std::vector<double> rates(const std::vector<double>& widths, double c, double k, double exponent) {
+  std::vector<double> result;
+  for (const double x : widths) result.push_back(c * std::pow(x - k, exponent));
+  return result;
+}
+
+TEST(Beverloo, ExactRatesGiveTheirConstantsAndExponent) {
+  const std::vector<double> widths{4, 6, 8, 11, 11};
+  const auto fit = fit_beverloo(widths, rates(widths, 0.8, 1.3, 1.5));
+  EXPECT_NEAR(fit.c, 0.8, 1e-12);
+  EXPECT_NEAR(fit.k, 1.3, 1e-12);
+  EXPECT_NEAR(fit.c_error, 0, 1e-6);
+  EXPECT_NEAR(fit.k_error, 0, 1e-6);
+  ASSERT_TRUE(fit.exponent);
+  EXPECT_NEAR(*fit.exponent, 1.5, 1e-5);
+  EXPECT_NEAR(*fit_beverloo(widths, rates(widths, 0.1, 0.7, 2.5)).exponent, 2.5, 1e-5);
+}
+
+// Q^(2/3) = x + e (1, -2, 1) at x = 4, 5, 6: the residuals are orthogonal to every straight line,
+// which is Q^(2/3) = x then. Their variance is 6 e^2 with one degree of freedom; that of the slope
+// 6 e^2 / 2, that of the zero 6 e^2 (1/3 + 5^2/2); C is the slope to the power 3/2.
+TEST(Beverloo, StandardErrorsAreThoseOfTheStraightLine) {
+  const double e = 1e-3;
+  const auto fit = fit_beverloo(
+      {4, 5, 6}, {std::pow(4 + e, 1.5), std::pow(5 - 2 * e, 1.5), std::pow(6 + e, 1.5)});
+  EXPECT_NEAR(fit.c, 1, 1e-10);
+  EXPECT_NEAR(fit.k, 0, 1e-10);
+  EXPECT_NEAR(fit.c_error, 1.5 * e * std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(fit.k_error, e * std::sqrt(6 * (1 / 3. + 12.5)), 1e-9);
+  EXPECT_FALSE(fit.exponent);
+}
+
+// The exponents of 400 sets of rates with 1 % of noise scatter by what each set says of itself,
+// whose own scatter is 1/sqrt(2 * 400) = 4 % of it, and 5 degrees of freedom make it 5 % less.
+TEST(Beverloo, ErrorOfTheExponentIsItsScatter) {
+  const std::vector<double> widths{4, 5, 6, 7, 8, 10, 12, 14};
+  const auto exact = rates(widths, 0.8, 1.3, 1.5);
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0, 0.01);
+  double sum = 0, squares = 0, variances = 0;
+  constexpr int sets = 400;
+  for (int i = 0; i < sets; ++i) {
+    auto noisy = exact;
+    for (double& each : noisy) each *= std::exp(noise(generator));
+    const auto fit = fit_beverloo(widths, noisy);
+    sum += *fit.exponent;
+    squares += *fit.exponent * *fit.exponent;
+    variances += *fit.exponent_error * *fit.exponent_error;
+  }
+  const double scatter = std::sqrt(squares / sets - sum * sum / sets / sets);
+  EXPECT_NEAR(std::sqrt(variances / sets) / scatter, 1, 0.15);
+}
+
+TEST(Beverloo, RefusesFewWidthsAndFallingRates) {
+  EXPECT_THROW(fit_beverloo({4, 5, 5}, {1, 2, 2}), TooFewParticles);
+  EXPECT_THROW(fit_beverloo({4, 5, 6}, {3, 2, 1}), TooFewParticles);
+}
+
+// Three runs of exact rates through the command: the numbers, the table and the figures.
+TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
+  const auto folder = fresh_folder();
+  std::string runs;
+  for (const int width : {5, 7, 9, 12}) {
+    const auto run = folder / std::to_string(width);
+    std::filesystem::create_directory(run);
+    put(run / "parameters.json", "{\"orifice_width_m\": " + std::to_string(width * 1e-3) +
+                                     ", \"particle_diameter_m\": 1e-3, \"gravity_m_s2\": 10}");
+    const double rate = 0.9 * std::pow(width - 1.2, 1.5) / std::sqrt(1e-4);
+    std::string rows = "since_opening_s,inside,discharged,throat\n";
+    for (int i = -1; i <= 200; ++i) {
+      const double out = std::max(0.0, rate * i * 0.01);
+      rows += std::to_string(i * 0.01) + ',' + std::to_string(1e4 - out) + ',' +
+              std::to_string(out) + ",9\n";
+    }
+    put(run / "discharge.csv", rows);
+    runs += ' ' + std::to_string(width);
+  }
+  const auto said = test::run_rodpack("discharge" + runs, folder);
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.output, HasSubstr("C = 0.9 +- "));
+  EXPECT_THAT(said.output, HasSubstr("k = 1.2 +- "));
+  EXPECT_THAT(said.output, HasSubstr("exponent 1.5 +- "));
+  for (const char* file : {"outflow.csv", "outflow.png", "outflow.svg"})
+    EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+  const auto one = test::run_rodpack("discharge 5 -o one", folder);
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "one.png"));
+  EXPECT_EQ(test::run_rodpack("discharge 5 --from 0.7 --to 0.2", folder).exit_code, 2);
+}
+
+}  // namespace
