@@ -126,7 +126,9 @@ std::string made_by(const Json& values) {
 }
 
 std::string lead_of(const fs::path& run, const Json& summary, const Json& parameters) {
-  const auto scene = scene_unlike_the_papers(nlohmann::json(parameters));
+  const auto scene = is_in_space(summary)  // the paper's scenes are in a plane
+                         ? std::string()
+                         : scene_unlike_the_papers(nlohmann::json(parameters));
   std::string text = number_html(summary.value("particles", 0.0), 12) + " " +
                      escaped(particles_in_words(parameters));
   if (parameters.contains("seed")) text += ", seed " + escaped(parameters["seed"].dump());

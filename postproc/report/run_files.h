@@ -11,7 +11,7 @@
 
 namespace rodpack {
 
-/// What a run folder holds for analyse_run().
+/// What a run folder holds for analyse_run(), the only one that includes this.
 struct RunFiles {
   std::optional<RunParameters> parameters;
   bool own_parameters = false;                        // they are `run`/parameters.json

@@ -175,11 +175,13 @@ TEST_F(AnalyseAnyRun, ParametersOfASceneInSpaceSayItsVertical) {
   put(folder_ / "mine" / "dumps" / "bodies.7.dump",
       rods(rodpack::test::random_places(box, 300, 5)));
   put(folder_ / "mine" / "parameters.json",
-      "{\"vertical_axis\": \"z\", \"timestep_s\": 1e-3, \"seed\": 1}\n");
+      "{\"vertical_axis\": \"z\", \"timestep_s\": 1e-3, \"seed\": 1, \"aspect_ratio\": 5, "
+      "\"particle_diameter_m\": 2e-3, \"container_width_m\": 0.1, \"container_height_m\": 0.1}\n");
   const auto result = run("analyse mine");
   ASSERT_EQ(result.exit_code, 0) << result.output;
   EXPECT_NEAR(summary("mine")["time_s"].get<double>(), 7e-3, 1e-15);
   EXPECT_EQ(summary("mine")["parameters"]["vertical_axis"], "z");
+  EXPECT_THAT(page("mine"), Not(HasSubstr("the paper's scene")));
   expect_refusal("analyse mine --walls 0 1 0", "--walls: expected in a scene in a plane alone");
 }
 
