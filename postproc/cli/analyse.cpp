@@ -3,9 +3,11 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/checks.h"
 #include "cli/commands.h"
+#include "cli/input.h"
 #include "page/run_page.h"
 
 namespace rodpack::cli {
@@ -13,27 +15,41 @@ namespace rodpack::cli {
 void add_analyse(CLI::App& app) {
   struct Options {
     std::string folder;
-    bool all_frames = false;
+    Input input;
+    std::optional<double> friction;
   };
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand(
       "analyse",
-      "Everything at once for the last frame of a run: orientation, RDF, solid fraction, contact "
-      "forces, energies, pictures and VTK files, into RUN_FOLDER/analysis with a summary.json and "
-      "a "
-      "page to look at, report.html.");
+      "Everything at once for the last frame of a run, in a plane or in space: orientation, RDF, "
+      "solid fraction, contact forces, energies, pictures and VTK files, into RUN_FOLDER/analysis "
+      "with a summary.json and a page to look at, report.html. What cannot be measured is left "
+      "out, with a note that says why.");
   command->footer(
       "Example:\n"
       "  rodpack analyse results/quick\n"
-      "reads parameters.json, dumps/ and energies.csv there; writes results/quick/analysis/.");
+      "reads parameters.json, dumps/ and energies.csv there; writes results/quick/analysis/.\n"
+      "  rodpack analyse mine --vertical z --cylinder 0 0 0.05\n"
+      "reads mine/bodies.*.dump, spheres.*.dump and contacts.*.dump of a deck of one's own, there\n"
+      "or in mine/dumps/; the bodies are enough.");
   command->add_option("run_folder", options->folder, "folder that a simulation wrote")
       ->required()
       ->check(some_name())
       ->type_name("RUN_FOLDER");
-  command->add_flag("--all-frames", options->all_frames,
+  command->add_flag("--all-frames", options->input.all_frames,
                     "export every frame to VTK, not only the last");
+  add_packing_options(*command, options->input);
+  add_space_options(*command, options->input);
+  command
+      ->add_option("--friction", options->friction,
+                   "friction coefficient mu [default: parameters.json; unknown: no mobilised "
+                   "friction]")
+      ->check(positive_number(1000))
+      ->type_name("MU");
   command->callback([options] {
-    const auto summary = analyse_run(options->folder, options->all_frames);
+    const auto summary =
+        analyse_run(options->folder, {options->input.all_frames, options->input.packing,
+                                      options->input.space, options->friction});
     for (const auto& [key, value] : summary.items())
       if (value.is_number()) std::cout << key << ": " << value << '\n';
     for (const auto& note : summary["notes"])

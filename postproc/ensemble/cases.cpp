@@ -12,6 +12,7 @@
 #include "reading/data_error.h"
 #include "reading/number_text.h"
 #include "reading/parameters.h"
+#include "reading/run_folder.h"
 
 namespace rodpack {
 namespace {
@@ -178,6 +179,11 @@ std::vector<fs::path> run_folders(const fs::path& folder) {
       runs.push_back(entry->path());
       entry.disable_recursion_pending();
     }
+  if (runs.empty() && !(dumps_in(folder.string(), "bodies").empty() &&
+                        dumps_in((folder / "dumps").string(), "bodies").empty()))
+    throw DataError(folder.string() +
+                    ": dumps without parameters.json, which tells a run's case and seed, expected "
+                    "with them");
   if (runs.empty())
     throw DataError(folder.string() + ": no run folder in it, expected one with parameters.json");
   return runs;

@@ -51,6 +51,10 @@ Json read_summary(const FinishedRun& run) {
   Json summary = summary_of(run);
   const auto reason = why_not_current(run, summary);
   if (!reason.empty()) throw DataError(run.folder + ": " + reason + ", expected it to be current");
+  if (summary.contains("vertical_axis"))
+    throw DataError(run.folder +
+                    ": is a scene in space, expected runs in a plane: means over repetitions are "
+                    "taken of those alone");
   return summary;
 }
 

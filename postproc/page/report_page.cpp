@@ -15,8 +15,11 @@ std::string write_report_page(const std::string& folder) {
   if (!std::filesystem::is_directory(root)) throw DataError(folder + ": no such folder");
   if (std::filesystem::exists(root / "parameters.json")) return write_run_page(folder);
   if (is_study(folder)) return write_study_page(folder);
+  // Dumps of a deck of one's own, without parameters.
+  if (std::filesystem::exists(root / "analysis" / "summary.json")) return write_run_page(folder);
   throw DataError(folder +
-                  ": expected the folder of a study (cases.json) or of a run (parameters.json)");
+                  ": expected the folder of a study (cases.json) or of a run (parameters.json, or "
+                  "analysis/summary.json)");
 }
 
 }  // namespace rodpack

@@ -58,6 +58,51 @@ const std::vector<FigureText>& run_figures() {
   return texts;
 }
 
+const std::vector<FigureText>& space_figures() {
+  static const std::string isotropic =
+      "1: as of isotropic directions. Particles closer than AR <i>d</i><sub>p</sub> to a wall are "
+      "left out.";
+  static const std::string grey =
+      "Of the container's whole cross-section, smoothed along the vertical by a Gaussian of ω = AR "
+      "<i>d</i><sub>p</sub> / 2. Grey: nearer than 3ω to the floor or the surface.";
+  static const std::vector<FigureText> texts{
+      {"orientation", "Angle of the long axis to the vertical", isotropic, false},
+      {"orientation_azimuth", "Azimuth of the long axis about the vertical", isotropic, false},
+      {"rdf", "Radial distribution function of the centres of mass, in shells", "", false},
+      {"rdf_axial", "Pair correlation along and across the axis of the centre particle",
+       "1: as in an ideal gas of the same density.", false},
+      {"solid_fraction", "Solid fraction over height", grey, false},
+      {"profile", "Stresses over depth below the surface", grey, false},
+      {"forces", "Distributions of the normal and tangential contact forces",
+       "Each is divided by its mean.", false},
+      {"forces_friction",
+       "Mobilised friction <i>f</i><sub>t</sub> / (μ <i>f</i><sub>n</sub>) of the contacts", "",
+       false},
+      {"forces_coordination", "How many particles, and in how many contacts, a particle touches",
+       "", false},
+      {"forces_fabric", "Angle of the contact normals to the vertical, and their normal force", "",
+       false},
+      {"energies", "Energies over time", "", false}};
+  return texts;
+}
+
+bool is_in_space(const Json& summary) { return summary.contains("vertical_axis"); }
+
+// The picture that can be zoomed is one of a plane.
+std::string packing_html(const std::string& name, const std::string& run_folder,
+                         const Json& summary) {
+  if (!is_in_space(summary)) return viewer_html({{name, run_folder}});
+  return "<p>Not shown: the scene is in space, and this viewer shows planes. "
+         "<code>analysis/vtk/</code> holds the packing for ParaView.</p>\n";
+}
+
+// parameters.json of the run, else what the analysis took in its place.
+Json parameters_of_run(const fs::path& run, const Json& summary) {
+  const auto file = run / "parameters.json";
+  if (fs::exists(file)) return read_json_object(file.string());
+  return summary.value("parameters", Json::object());
+}
+
 // The numbers of the summary, without what the page says elsewhere.
 Json results_of(const Json& summary) {
   Json results;
@@ -81,16 +126,18 @@ std::string made_by(const Json& values) {
 }
 
 std::string lead_of(const fs::path& run, const Json& summary, const Json& parameters) {
-  const auto scene = scene_unlike_the_papers(nlohmann::json(parameters));
+  const auto scene = is_in_space(summary)  // the paper's scenes are in a plane
+                         ? std::string()
+                         : scene_unlike_the_papers(nlohmann::json(parameters));
   std::string text = number_html(summary.value("particles", 0.0), 12) + " " +
                      escaped(particles_in_words(parameters));
   if (parameters.contains("seed")) text += ", seed " + escaped(parameters["seed"].dump());
   text += ", at timestep " + number_html(summary.value("timestep", 0.0), 12);
   if (summary.contains("time_s"))
     text += " (" + number_html(summary["time_s"].get<double>(), 4) + " s)";
-  return text + ". Run folder <code>" + escaped(run.filename().string()) +
-         "</code>, simulated by " + made_by(parameters) + ", analysed by " + made_by(summary) +
-         "." + (scene.empty() ? "" : " <b>" + escaped(scene) + "</b>");
+  return text + ". Run folder <code>" + escaped(run.filename().string()) + "</code>" +
+         (parameters.empty() ? "" : ", simulated by " + made_by(parameters)) + ", analysed by " +
+         made_by(summary) + "." + (scene.empty() ? "" : " <b>" + escaped(scene) + "</b>");
 }
 
 }  // namespace
@@ -103,25 +150,28 @@ std::string write_run_page(const std::string& run_folder) {
     throw DataError(summary_file.string() + ": no such file; \"rodpack analyse " + run_folder +
                     "\" makes it");
   const Json summary = read_json_object(summary_file.string());
-  const Json parameters = read_json_object((run / "parameters.json").string());
+  const Json parameters = parameters_of_run(run, summary);
 
   std::vector<Note> notes;
   for (const auto& note : summary.value("notes", Json::array()))
     notes.push_back({"", note.is_string() ? note.get<std::string>() : note.dump()});
   int figure = 0;
-  const std::string figures = figures_html(analysis, run_figures(), figure);
+  const std::string figures =
+      figures_html(analysis, is_in_space(summary) ? space_figures() : run_figures(), figure);
 
   Page page;
   page.title = "Packing of " + particles_in_words(parameters);
   page.lead = lead_of(name, summary, parameters);
   page.sections = {
       {"results", "Results", values_table(results_of(summary), "")},
-      {"packing", "The packing", viewer_html({{name.filename().string(), run_folder}})},
+      {"packing", "The packing", packing_html(name.filename().string(), run_folder, summary)},
       {"figures", "Figures",
        figures.empty() ? "<p>None: \"rodpack analyse\" draws them.</p>\n" : figures},
       {"notes", "What was left out, and why",
        notes.empty() ? "<p>Nothing: all measures were possible.</p>\n" : notes_html(notes)},
-      {"parameters", "Parameters of the run", values_table(parameters_of(parameters), "")}};
+      {"parameters", "Parameters of the run",
+       parameters.empty() ? "<p>Unknown: the folder has no <code>parameters.json</code>.</p>\n"
+                          : values_table(parameters_of(parameters), "")}};
   auto file = (analysis / "report.html").string();
   write_text(file, page_html(page));
   return file;

@@ -29,24 +29,33 @@ std::optional<long> last_step(const fs::path& run) {
   return result["step"].get<long>();
 }
 
-/// Finds `run`/dumps/`kind`.*.dump, plain or .gz. The run's own name is no pattern.
-std::vector<std::string> files_of(const fs::path& dumps, const std::string& kind) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (fs::directory_iterator entry(dumps, error), end; !error && entry != end;
-       entry.increment(error))
-    if (fnmatch((kind + ".*.dump*").c_str(), entry->path().filename().c_str(), 0) == 0)
-      files.push_back(entry->path().string());
-  if (files.empty())
-    throw DataError("no file matches '" + (dumps / (kind + ".*.dump*")).string() + "'");
-  return find_dumps(files);
+/// Finds `run`/dumps/`kind`.*.dump, plain or .gz, else those in `run` itself. The run's own name is
+/// no pattern.
+std::vector<std::string> files_of(const fs::path& run, const std::string& kind) {
+  for (const auto& folder : {run / "dumps", run})
+    if (const auto files = dumps_in(folder.string(), kind); !files.empty())
+      return find_dumps(files);
+  throw DataError("no file matches '" + (run / "dumps" / (kind + ".*.dump*")).string() + "'");
 }
 
 }  // namespace
 
+std::vector<std::string> dumps_in(const std::string& folder, const std::string& kind) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const auto name = entry->path().filename();
+    if (fnmatch((kind + ".*.dump*").c_str(), name.c_str(), 0) == 0 ||
+        fnmatch((kind + ".dump*").c_str(), name.c_str(), 0) == 0)
+      files.push_back(entry->path().string());
+  }
+  return files;
+}
+
 std::vector<std::string> dumps_of_run(const std::string& run_folder, const std::string& kind) {
   const fs::path run(run_folder);
-  auto files = files_of(run / "dumps", kind);
+  auto files = files_of(run, kind);
   if (const auto last = last_step(run)) {
     const auto later = [&](const std::string& file) {
       const auto name = fs::path(file).filename().string();

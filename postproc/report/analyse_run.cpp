@@ -6,15 +6,19 @@
 #include <vector>
 
 #include "analysis/energies.h"
+#include "figures/force_chains_figure.h"
 #include "figures/render.h"
 #include "figures/vtk_export.h"
+#include "reading/checks/planar.h"
 #include "reading/data_error.h"
 #include "reading/json_file.h"
 #include "reading/packing.h"
 #include "reading/parameters.h"
 #include "reading/run_folder.h"
 #include "report/measures.h"
+#include "report/run_files.h"
 #include "report/scene.h"
+#include "report/spatial_measures.h"
 
 namespace rodpack {
 namespace {
@@ -33,13 +37,15 @@ void remove_own_outputs(const fs::path& out) {
   fs::remove(out / "summary.json", ignored);
   fs::remove(out / "fields.vti", ignored);
   fs::remove(out / "report.html", ignored);  // the page of them all, which write_run_page() makes
-  for (const std::string table : {"orientation", "rdf", "solid_fraction", "forces",
-                                  "forces_friction", "forces_coordination", "fields", "profile"})
+  for (const std::string table :
+       {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination",
+        "fields", "profile", "orientation_azimuth", "orientation_order", "rdf_axial",
+        "forces_fabric", "forces_fabric_order"})
     fs::remove(out / (table + ".csv"), ignored);
   for (const std::string figure :
        {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
         "forces", "forces_friction", "forces_coordination", "forces_chains", "solid_fraction_map",
-        "pressure_map", "profile"})
+        "pressure_map", "profile", "orientation_azimuth", "rdf_axial", "forces_fabric"})
     for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
   for (const std::string kind : {"bodies", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
@@ -50,9 +56,9 @@ void remove_own_outputs(const fs::path& out) {
     }
 }
 
-// What the bodies alone tell; what the bed is too small for is noted.
-void measure_bodies(const Frame& bodies, const Packing& packing, const fs::path& out,
-                    Json& summary) {
+// What the bodies alone tell; what the bed is too small for is noted. Returns how many were made.
+int measure_bodies(const Frame& bodies, const Packing& packing, const fs::path& out,
+                   Json& summary) {
   using Report = std::function<void(const Packing&, const fs::path&, Json&)>;
   const Report report_bonds = [&](const Packing& all, const fs::path&, Json& numbers) {
     try {
@@ -61,69 +67,183 @@ void measure_bodies(const Frame& bodies, const Packing& packing, const fs::path&
       numbers["notes"].push_back(reason.what());
     }
   };
+  int made = 0;
   for (const Report& report : {Report(report_orientation), report_bonds, Report(report_rdf),
                                Report(report_solid_fraction)})
     try {
       report(packing, out, summary);
+      ++made;
     } catch (const TooFewParticles& reason) {
       summary["notes"].push_back(reason.what());
     }
+  return made;
 }
+
+// One analysis: what there is, what the user says of it, and where the results go.
+class Analysis {
+ public:
+  Analysis(const std::string& run_folder, AnalyseOptions options)
+      : run_(run_folder),
+        out_(run_ / "analysis"),
+        options_(std::move(options)),
+        files_(find_run_files(run_folder, options_.packing.parameters)) {
+    if (files_.parameters) options_.packing.parameters = files_.parameters->file;
+    if (files_.parameters && files_.parameters->values.contains("timestep_s"))
+      dt_ = files_.parameters->number("timestep_s");
+  }
+
+  Json run() {
+    if (is_in_space(files_.bodies, options_.packing, options_.space))
+      in_space();
+    else
+      in_plane();
+    report_energies(run_, out_, summary_);
+    draw_packing();
+    export_frames();
+    if (files_.parameters) summary_["parameters"] = files_.parameters->values;
+    write_json((out_ / "summary.json").string(), summary_);
+    return summary_;
+  }
+
+ private:
+  // Bad columns and tables show before anything is written.
+  void read_the_rest() {
+    if (files_.spheres && files_.own_parameters)
+      for (const std::string name : {"x", "y", "radius", "fx", "fy", "fz"})
+        files_.spheres->column(name);
+    if (const auto table = run_ / "energies.csv"; fs::exists(table)) read_energies(table.string());
+    contacts_ = read_contact_report(run_.string(), files_.bodies, options_.packing.parameters,
+                                    options_.friction);
+    if (files_.own_parameters || contacts_.frame.rows == 0) return;
+    auto why = why_not_of_these_bodies(contacts_.frame, files_.bodies);
+    if (!why.empty()) throw DataError(why + ": expected contacts and bodies of one run");
+    if (packing_) why = why_contacts_not_planar(contacts_.frame);
+    if (why.empty()) return;
+    contacts_.forces.reset();
+    contacts_.frame = {};
+    contacts_.note = why + "; rodpack forces measures what holds in space too";
+  }
+
+  void start(long timestep, std::size_t particles) {
+    make_folder(out_);
+    remove_own_outputs(out_);
+    summary_["format"] = analysis_format;
+    summary_["timestep"] = timestep;
+    if (dt_ > 0) summary_["time_s"] = static_cast<double>(timestep) * dt_;
+    summary_["particles"] = particles;
+  }
+
+  // What a folder without parameters.json says in its place.
+  void put_setting(const std::string& walls, double particle_diameter, double aspect_ratio) {
+    summary_["walls_from"] = walls;
+    summary_["particle_diameter_m"] = particle_diameter;
+    summary_["aspect_ratio"] = aspect_ratio;
+  }
+
+  // Walls that nobody stated are the dump's box, which may be larger than the container.
+  void start_notes(const std::string& walls, const std::string& options) {
+    summary_["notes"] = files_.notes;
+    if (walls.rfind("box bounds", 0) == 0)
+      summary_["notes"].push_back("walls: " + walls + "; " + options +
+                                  " where the container is another");
+    first_measure_note_ = summary_["notes"].size();
+  }
+
+  void require_any(int made) {
+    if (made > 0) return;
+    remove_own_outputs(out_);
+    std::error_code not_empty;
+    fs::remove(out_, not_empty);
+    throw DataError(run_.string() + ": nothing could be measured: " +
+                    summary_["notes"][first_measure_note_].get<std::string>());
+  }
+
+  void in_plane() {
+    refuse_of_space();
+    packing_ = read_packing(files_.bodies, options_.packing);
+    const auto& packing = *packing_;
+    read_the_rest();
+    start(packing.timestep, packing.size());
+    summary_["bed_height_m"] = packing.surface - packing.walls.floor;
+    if (!files_.own_parameters)
+      put_setting(packing.walls.source, packing.particle_diameter, packing.aspect_ratio);
+    if (files_.parameters) {
+      const auto scene = scene_unlike_the_papers(files_.parameters->values);
+      if (!scene.empty()) summary_["scene"] = scene;
+    }
+    start_notes(packing.walls.source, "--walls");
+    int made = measure_bodies(files_.bodies, packing, out_, summary_);
+    options_.packing.particle_diameter = packing.particle_diameter;
+    report_contacts(contacts_, out_, summary_);
+    if (contacts_.forces) {
+      ++made;
+      draw_force_chains(contacts_.frame, options_.packing, (out_ / "forces_chains").string());
+    }
+    const bool stressed =
+        contacts_.frame.rows > 0 && contacts_.frame.timestep == files_.bodies.timestep;
+    try {
+      report_fields(packing, files_.bodies, stressed ? &contacts_.frame : nullptr,
+                    static_cast<double>(packing.timestep) * (dt_ > 0 ? dt_ : 1), out_, summary_);
+      ++made;
+    } catch (const TooFewParticles& reason) {
+      summary_["notes"].push_back(std::string("fields: ") + reason.what());
+    }
+    require_any(made);
+  }
+
+  void in_space() {
+    if (!options_.packing.walls.empty())
+      throw DataError("--walls: expected in a scene in a plane alone");
+    const auto packing = read_spatial_packing(files_.bodies, options_.packing, options_.space);
+    read_the_rest();
+    start(packing.timestep, packing.size());
+    const auto& walls = packing.walls;
+    summary_["vertical_axis"] = std::string(1, "xyz"[walls.vertical]);
+    if (!walls.periodic[walls.vertical])
+      summary_["bed_height_m"] = packing.surface - walls.low[walls.vertical];
+    put_setting(walls.source, packing.particle_diameter, packing.aspect_ratio);
+    start_notes(walls.source, "--container or --cylinder");
+    require_any(report_in_space(packing, files_.bodies, contacts_, out_, summary_));
+  }
+
+  void refuse_of_space() const {
+    for (const auto& [option, values] : {std::pair{"--container", &options_.space.container},
+                                         std::pair{"--cylinder", &options_.space.cylinder}})
+      if (!values->empty())
+        throw DataError(std::string(option) + ": expected in a scene in space alone");
+  }
+
+  void draw_packing() {
+    if (!files_.spheres || !packing_) return;
+    RenderOptions render;
+    render.packing = options_.packing;
+    if (!files_.spheres->has("fx")) render.colour = SphereColour::none;
+    render_spheres(*files_.spheres, render, (out_ / "packing").string());
+  }
+
+  void export_frames() const {
+    std::vector<std::string> exported;
+    for (const auto* files : {&files_.body_files, &files_.sphere_files, &contacts_.files})
+      if (!files->empty())
+        exported.insert(exported.end(), options_.all_frames ? files->begin() : files->end() - 1,
+                        files->end());
+    export_vtk(exported, (out_ / "vtk").string(), dt_);
+  }
+
+  fs::path run_, out_;
+  AnalyseOptions options_;
+  RunFiles files_;
+  double dt_ = 0;  // s; 0: unknown
+  std::optional<Packing> packing_;
+  ContactReport contacts_;
+  Json summary_;
+  std::size_t first_measure_note_ = 0;
+};
 
 }  // namespace
 
-Json analyse_run(const std::string& run_folder, bool all_frames) {
-  const fs::path run(run_folder);
-  if (!fs::is_directory(run)) throw DataError(run_folder + ": no such run folder");
-  const auto parameters = read_parameters((run / "parameters.json").string());
-  const auto body_files = dumps_of_run(run_folder, "bodies");
-  const auto sphere_files = dumps_of_run(run_folder, "spheres");
-
-  PackingOptions options;
-  options.parameters = parameters.file;
-  const auto bodies = last_frame(body_files);
-  const auto packing = read_packing(bodies, options);
-  const auto spheres = last_frame(sphere_files);
-  // Bad columns and tables show before anything is written.
-  for (const std::string name : {"x", "y", "radius", "fx", "fy", "fz"}) spheres.column(name);
-  if (const auto table = run / "energies.csv"; fs::exists(table)) read_energies(table.string());
-  const ContactReport contacts = read_contact_report(run_folder, bodies, parameters.file);
-
-  const fs::path out = run / "analysis";
-  make_folder(out);
-  remove_own_outputs(out);
-
-  const double dt = parameters.values.contains("timestep_s") ? parameters.number("timestep_s") : 0;
-  Json summary;
-  summary["format"] = analysis_format;
-  summary["timestep"] = packing.timestep;
-  if (dt > 0) summary["time_s"] = static_cast<double>(packing.timestep) * dt;
-  summary["particles"] = packing.size();
-  summary["bed_height_m"] = packing.surface - packing.walls.floor;
-  if (const auto scene = scene_unlike_the_papers(parameters.values); !scene.empty())
-    summary["scene"] = scene;
-  summary["notes"] = Json::array();
-  measure_bodies(bodies, packing, out, summary);
-  options.particle_diameter = packing.particle_diameter;
-  report_contacts(contacts, options, out, summary);
-  const bool stressed = contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep;
-  report_fields(packing, bodies, stressed ? &contacts.frame : nullptr,
-                static_cast<double>(packing.timestep) * (dt > 0 ? dt : 1), out, summary);
-  report_energies(run, out, summary);
-
-  RenderOptions render;
-  render.packing = options;
-  render_spheres(spheres, render, (out / "packing").string());
-
-  std::vector<std::string> exported;
-  for (const auto* files : {&body_files, &sphere_files, &contacts.files})
-    if (!files->empty())
-      exported.insert(exported.end(), all_frames ? files->begin() : files->end() - 1, files->end());
-  export_vtk(exported, (out / "vtk").string(), dt);
-
-  summary["parameters"] = parameters.values;
-  write_json((out / "summary.json").string(), summary);
-  return summary;
+Json analyse_run(const std::string& run_folder, const AnalyseOptions& options) {
+  return Analysis(run_folder, options).run();
 }
 
 }  // namespace rodpack

@@ -13,7 +13,6 @@
 #include "figures/contact_forces_figure.h"
 #include "figures/energies_figure.h"
 #include "figures/field_maps.h"
-#include "figures/force_chains_figure.h"
 #include "figures/orientation_figure.h"
 #include "figures/profile_figure.h"
 #include "figures/rdf_figure.h"
@@ -59,7 +58,10 @@ void report_bond_order(const Frame& bodies, const Packing& packing, Json& summar
 void report_rdf(const Packing& packing, const fs::path& out, Json& summary) {
   RdfSample sample({});
   sample.add(packing);
-  const auto rdf = sample.result();
+  put_rdf(sample.result(), out, summary);
+}
+
+void put_rdf(const Rdf& rdf, const fs::path& out, Json& summary) {
   write_rdf_table(rdf, (out / "rdf.csv").string());
   plot_rdf(rdf, (out / "rdf").string());
   summary["rdf_centres"] = rdf.centres;
@@ -110,12 +112,12 @@ void report_solid_fraction(const Packing& packing, const fs::path& out, Json& su
 }
 
 ContactReport read_contact_report(const std::string& run, const Frame& bodies,
-                                  const std::string& parameters) {
+                                  const std::string& parameters, std::optional<double> friction) {
   ContactReport report;
   try {
     report.files = dumps_of_run(run, "contacts");
   } catch (const DataError& reason) {
-    report.note = reason.what();
+    report.note = std::string(reason.what()) + "; dump contact/gran writes them";
     return report;
   }
   try {
@@ -127,9 +129,13 @@ ContactReport read_contact_report(const std::string& run, const Frame& bodies,
       return report;
     }
     ContactForceOptions options;
-    options.friction = find_friction(frame.file, parameters, {});
+    options.friction = find_friction(frame.file, parameters, friction);
     force_lines(frame);  // bad columns show before anything is written
-    report.forces = measure_contact_forces(frame, &bodies, options);
+    ContactForceSample sample(options);
+    sample.add(frame, &bodies);
+    report.forces = sample.result();
+    report.normals = sample.normals();
+    report.normal_forces = sample.normal_forces();
   } catch (const NoSuchFrame& reason) {
     report.note = reason.what();
   } catch (const TooFewParticles& reason) {
@@ -138,15 +144,13 @@ ContactReport read_contact_report(const std::string& run, const Frame& bodies,
   return report;
 }
 
-void report_contacts(const ContactReport& contacts, const PackingOptions& options,
-                     const fs::path& out, Json& summary) {
+void report_contacts(const ContactReport& contacts, const fs::path& out, Json& summary) {
   if (!contacts.note.empty()) summary["notes"].push_back("contacts: " + contacts.note);
   if (!contacts.forces) return;
   const auto& forces = *contacts.forces;
   const auto stem = (out / "forces").string();
   write_contact_force_tables(forces, stem);
   plot_contact_forces(forces, stem);
-  draw_force_chains(contacts.frame, options, stem + "_chains");
   summary["mean_normal_force_N"] = forces.normal.mean;
   summary["mean_tangential_force_N"] = forces.tangential.mean;
   if (forces.friction) {
@@ -157,7 +161,7 @@ void report_contacts(const ContactReport& contacts, const PackingOptions& option
     summary["sliding_fraction"] = nullptr;
     summary["notes"].push_back(
         "contacts: no positive friction in parameters.json, so that the "
-        "mobilised friction is left out");
+        "mobilised friction is left out; --friction gives one");
   }
   summary["coordination_number"] = forces.coordination.touching_particles;
   summary["contacts_per_particle"] = forces.coordination.contacts;
@@ -182,25 +186,30 @@ void report_fields(const Packing& packing, const Frame& bodies, const Frame* con
   std::optional<JanssenFit> fit;
   try {
     fit = fit_janssen(profile);
-    if (!fit->saturates)
-      summary["notes"].push_back("Janssen fit: " + describe(*fit, packing.particle_diameter));
   } catch (const TooFewParticles& reason) {
     summary["notes"].push_back(reason.what());
   }
   plot_profile(profile, fit ? &*fit : nullptr, (out / "profile").string());
+  put_janssen_fit(fit, packing.particle_diameter, "N_m", summary);
+}
+
+void put_janssen_fit(const std::optional<JanssenFit>& fit, double particle_diameter,
+                     const std::string& pressure_unit, Json& summary) {
   const bool saturates = fit && fit->saturates;
-  const auto set = [&](const char* key, double JanssenFit::*value, double unit) {
+  if (fit && !saturates)
+    summary["notes"].push_back(
+        "Janssen fit: " + describe(*fit, particle_diameter, pressure_unit == "N_m" ? "N/m" : "Pa"));
+  const auto set = [&](const std::string& key, double JanssenFit::*value, double unit) {
     if (saturates)
       summary[key] = (*fit).*value / unit;
     else
       summary[key] = nullptr;
   };
-  const double d = packing.particle_diameter;
-  set("janssen_pressure_N_m", &JanssenFit::pressure, 1);
-  set("janssen_pressure_standard_error_N_m", &JanssenFit::pressure_error, 1);
-  set("janssen_depth_over_dp", &JanssenFit::depth, d);
-  set("janssen_depth_standard_error_over_dp", &JanssenFit::depth_error, d);
-  set("janssen_rms_residual_N_m", &JanssenFit::rms_residual, 1);
+  set("janssen_pressure_" + pressure_unit, &JanssenFit::pressure, 1);
+  set("janssen_pressure_standard_error_" + pressure_unit, &JanssenFit::pressure_error, 1);
+  set("janssen_depth_over_dp", &JanssenFit::depth, particle_diameter);
+  set("janssen_depth_standard_error_over_dp", &JanssenFit::depth_error, particle_diameter);
+  set("janssen_rms_residual_" + pressure_unit, &JanssenFit::rms_residual, 1);
 }
 
 void report_energies(const fs::path& run, const fs::path& out, Json& summary) {

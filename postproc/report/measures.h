@@ -9,12 +9,15 @@
 #include <vector>
 
 #include "analysis/contact_forces.h"
+#include "analysis/janssen_fit.h"
+#include "analysis/pairs/rdf_sums.h"
 #include "reading/dump.h"
 #include "reading/packing.h"
 
 namespace rodpack {
 
-// The parts of analyse_run(), the only one that includes this. Each writes the table and the
+// The parts of analyse_run() for scenes in a plane; spatial_measures.cpp shares what holds in space
+// too. Each writes the table and the
 // figures of one measure into the folder `out` and its numbers into `summary`, under keys that name
 // their units; what could not be measured goes into the summary's "notes".
 
@@ -30,20 +33,31 @@ void report_rdf(const Packing& packing, const std::filesystem::path& out,
 void report_solid_fraction(const Packing& packing, const std::filesystem::path& out,
                            nlohmann::ordered_json& summary);
 
+/// The tables, figures and numbers of G(r), in a plane and in space.
+void put_rdf(const Rdf& rdf, const std::filesystem::path& out, nlohmann::ordered_json& summary);
+/// The numbers of a fit of Janssen's law, null where there is none or it does not saturate, which
+/// the notes say. `pressure_unit`: as keys end, "N_m".
+void put_janssen_fit(const std::optional<JanssenFit>& fit, double particle_diameter,
+                     const std::string& pressure_unit, nlohmann::ordered_json& summary);
+
 /// The contacts of one timestep of a run and what they say, or why they say nothing.
 struct ContactReport {
   std::vector<std::string> files;  // all contacts' dumps of the run
   Frame frame;                     // that of the timestep; without rows where there is none
   std::optional<ContactForces> forces;
-  std::string note;  // why there are no forces
+  std::vector<Vector3> normals;       // of the contacts that are measured
+  std::vector<double> normal_forces;  // of the same, N
+  std::string note;                   // why there are no forces
 };
 /// Reads the contacts of the timestep of `bodies` and measures their forces. `parameters`: the
-/// run's parameters.json. @throws DataError when a column is missing or malformed.
+/// run's parameters.json; `friction`: in place of what that says. @throws DataError when a column
+/// is missing or malformed.
 ContactReport read_contact_report(const std::string& run, const Frame& bodies,
-                                  const std::string& parameters);
+                                  const std::string& parameters, std::optional<double> friction);
 
-void report_contacts(const ContactReport& contacts, const PackingOptions& options,
-                     const std::filesystem::path& out, nlohmann::ordered_json& summary);
+/// Distributions and numbers of the forces, in a plane and in space.
+void report_contacts(const ContactReport& contacts, const std::filesystem::path& out,
+                     nlohmann::ordered_json& summary);
 
 /// Maps of the fields and the profile of the pressure; without contacts (null) the densities alone.
 /// `time`: s, or the timestep where that is not known.

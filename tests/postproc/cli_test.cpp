@@ -321,8 +321,10 @@ TEST(Analyse, MissingFolderParametersOrDumpsGiveOneLine) {
   const auto folder = fresh_folder();
   EXPECT_EQ(rodpack_command("analyse none", folder).output, "rodpack: none: no such run folder\n");
   fs::create_directory(folder / "run");
-  EXPECT_EQ(rodpack_command("analyse run", folder).output,
-            "rodpack: run/parameters.json: no such file, or it cannot be read\n");
+  EXPECT_EQ(
+      rodpack_command("analyse run", folder).output,
+      "rodpack: run: expected dumps of bodies (dump multisphere/body), bodies.*.dump, here or "
+      "in its dumps/, found none\n");
   put(folder / "run" / "parameters.json", "{}");
   const auto run = rodpack_command("analyse run", folder);
   EXPECT_EQ(run.output, "rodpack: no file matches 'run/dumps/bodies.*.dump*'\n");

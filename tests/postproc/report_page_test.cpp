@@ -363,7 +363,7 @@ TEST(Report, WhatIsNoStudyAndNoAnalysedRunGivesOneLine) {
   EXPECT_EQ(empty.exit_code, 1);
   EXPECT_EQ(empty.output,
             "rodpack: empty: expected the folder of a study (cases.json) or of a run "
-            "(parameters.json)\n");
+            "(parameters.json, or analysis/summary.json)\n");
   put(folder / "run" / "parameters.json", "{}");
   const auto run = rodpack_command("report run", folder);
   EXPECT_EQ(run.exit_code, 1);
