@@ -88,8 +88,9 @@ void add_space_options(CLI::App& command, Input& input) {
   auto& space = input.space;
   command
       .add_option("--container", space.container,
-                  "in space: walls of the container, whose top is open, m [default: the box bounds "
-                  "of the dump; a periodic direction has no walls]")
+                  "in space: walls of the container, whose top is open, m [default: 'container' of "
+                  "parameters.json, else the box bounds of the dump; a periodic direction has no "
+                  "walls]")
       ->expected(6)
       ->check(place())
       ->type_name("XLO XHI YLO YHI ZLO ZHI");

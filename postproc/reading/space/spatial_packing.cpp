@@ -51,13 +51,31 @@ void add_cylinder(const std::vector<double>& cylinder, SpatialWalls& walls) {
                       axis_names[walls.horizontal(which)] + ", which is periodic");
 }
 
-SpatialWalls find_spatial_walls(const Frame& bodies, const SpaceOptions& space,
+// Adds what the options leave open and the deck states: `container`, "box" or "cylinder", on the
+// floor 0, between 0 and container_width_m along both horizontal axes. Returns whether it does.
+bool add_stated_container(const Frame& bodies, const std::optional<RunParameters>& parameters,
+                          std::size_t vertical, SpaceOptions& space) {
+  if (!space.container.empty() || !parameters) return false;
+  const auto kind = parameters->values.value("container", nlohmann::json());
+  if (kind != "box" && kind != "cylinder") return false;
+  const double width = parameters->number("container_width_m");
+  space.container = {0, width, 0, width, 0, width};
+  space.container[2 * vertical + 1] = bodies.bounds[vertical][1];
+  if (kind == "cylinder" && space.cylinder.empty())
+    space.cylinder = {width / 2, width / 2, width / 2};
+  return true;
+}
+
+SpatialWalls find_spatial_walls(const Frame& bodies, SpaceOptions space,
+                                const std::optional<RunParameters>& parameters,
                                 std::size_t vertical) {
   SpatialWalls walls;
   walls.vertical = vertical;
   walls.periodic = bodies.periodic;
+  const bool round = !space.cylinder.empty();
+  const bool stated = add_stated_container(bodies, parameters, vertical, space);
   const bool given = !space.container.empty();
-  walls.source = given ? "--container" : "box bounds of " + bodies.file;
+  walls.source = stated ? parameters->file : given ? "--container" : "box bounds of " + bodies.file;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     walls.low[axis] = given ? space.container.at(2 * axis) : bodies.bounds[axis][0];
     walls.high[axis] = given ? space.container.at(2 * axis + 1) : bodies.bounds[axis][1];
@@ -77,7 +95,7 @@ SpatialWalls find_spatial_walls(const Frame& bodies, const SpaceOptions& space,
   }
   if (!space.cylinder.empty()) {
     add_cylinder(space.cylinder, walls);
-    walls.source = "--cylinder, " + walls.source;
+    if (round) walls.source = "--cylinder, " + walls.source;
   }
   return walls;
 }
@@ -154,7 +172,7 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
     packing.elongated.push_back(count[i] > 1);
     packing.axis.push_back(count[i] > 1 ? axes.axis(i, 0) : Vector3{1, 0, 0});
   }
-  packing.walls = find_spatial_walls(bodies, space, *vertical);
+  packing.walls = find_spatial_walls(bodies, space, parameters, *vertical);
   const auto sizes = particle_sizes(bodies, options, parameters);
   packing.particle_diameter = sizes.diameter;
   packing.aspect_ratio = sizes.aspect_ratio;

@@ -103,6 +103,35 @@ TEST_F(SpatialReading, WallsAreTheContainersOrTheBoxs) {
 
 // Layers of AR d_p / 2 = 5 mm: the twelve from 0 to 60 mm hold ten rods each, the ones above none,
 // so that the content falls through half of it midway between the middles 57.5 and 62.5 mm.
+// The box of the dump begins outside of the walls: soft ones let spheres in.
+TEST_F(SpatialReading, ParametersSayWhatTheContainerIs) {
+  const auto walls = [&](const std::string& container, const SpaceOptions& space = {}) {
+    put(folder_ / "parameters.json", "{\"vertical_axis\": \"z\", \"container_width_m\": 0.08, " +
+                                         ("\"container\": \"" + container + "\"}\n"));
+    return read_spatial_packing(upright(), {}, space).walls;
+  };
+  const auto box = walls("box");
+  EXPECT_EQ(box.low, (Vector3{0, 0, 0}));
+  EXPECT_EQ(box.high, (Vector3{0.08, 0.08, 0.3}));
+  EXPECT_FALSE(box.round);
+  EXPECT_THAT(box.source, HasSubstr("parameters.json"));
+  const auto cylinder = walls("cylinder");
+  EXPECT_TRUE(cylinder.round);
+  EXPECT_EQ(cylinder.radius, 0.04);
+  EXPECT_EQ(cylinder.middle[0], 0.04);
+  EXPECT_EQ(cylinder.middle[1], 0.04);
+  // What the command line says goes first.
+  const auto given = walls("cylinder", {"", {0, 0.1, 0, 0.1, 0, 0.1}, {}});
+  EXPECT_FALSE(given.round);
+  EXPECT_EQ(given.source, "--container");
+  EXPECT_EQ(walls("box", {"", {}, {0.05, 0.05, 0.03}}).radius, 0.03);
+  // Another word is a deck's own affair.
+  EXPECT_THAT(walls("hopper").source, HasSubstr("box bounds of"));
+  put(folder_ / "parameters.json",
+      "{\"vertical_axis\": \"z\", \"container\": \"box\", \"container_width_m\": -1}\n");
+  EXPECT_THAT(error_of(upright(), {}), HasSubstr("key 'container_width_m': expected"));
+}
+
 TEST_F(SpatialReading, SurfaceIsWhereTheLayersEnd) {
   std::vector<Vector3> centres;
   for (int layer = 0; layer < 12; ++layer)
