@@ -9,7 +9,7 @@
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
-#include "figures/outflow_figure.h"
+#include "figures/discharge/outflow_figure.h"
 #include "reading/csv_file.h"
 #include "reading/data_error.h"
 #include "reading/dump.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "figures/outflow_figure.h"
+#include "figures/discharge/outflow_figure.h"
 
 #include "figures/figure.h"
 #include "reading/number_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_FIGURES_OUTFLOW_FIGURE_H
-#define RODPACK_FIGURES_OUTFLOW_FIGURE_H
+#ifndef RODPACK_FIGURES_DISCHARGE_OUTFLOW_FIGURE_H
+#define RODPACK_FIGURES_DISCHARGE_OUTFLOW_FIGURE_H
 
 #include <optional>
 #include <string>
