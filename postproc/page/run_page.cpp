@@ -19,6 +19,18 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+// Of a scene in a plane as of one in space.
+const FigureText distribution_of_forces{"forces",
+                                        "Distributions of the normal and tangential contact forces",
+                                        "Each is divided by its mean.", false};
+const FigureText mobilised_friction{
+    "forces_friction",
+    "Mobilised friction <i>f</i><sub>t</sub> / (μ <i>f</i><sub>n</sub>) of the contacts", "",
+    false};
+const FigureText coordination{"forces_coordination",
+                              "How many particles, and in how many contacts, a particle touches",
+                              "", false};
+
 const std::vector<FigureText>& run_figures() {
   static const std::string hatched =
       "Hatched: nearer than 3ω to a wall or the surface (line), where the kernel averages over the "
@@ -47,13 +59,9 @@ const std::vector<FigureText>& run_figures() {
        "Particles closer than AR <i>d</i><sub>p</sub> to a wall are left out.", false},
       {"orientation_polar", "The same as a rose", "", false},
       {"rdf", "Radial distribution function of the centres of mass", "", false},
-      {"forces", "Distributions of the normal and tangential contact forces",
-       "Each is divided by its mean.", false},
-      {"forces_friction",
-       "Mobilised friction <i>f</i><sub>t</sub> / (μ <i>f</i><sub>n</sub>) of the contacts", "",
-       false},
-      {"forces_coordination", "How many particles, and in how many contacts, a particle touches",
-       "", false},
+      distribution_of_forces,
+      mobilised_friction,
+      coordination,
       {"energies", "Energies over time while the bed is filled and comes to rest", "", false}};
   return texts;
 }
@@ -73,13 +81,9 @@ const std::vector<FigureText>& space_figures() {
        "1: as in an ideal gas of the same density.", false},
       {"solid_fraction", "Solid fraction over height", grey, false},
       {"profile", "Stresses over depth below the surface", grey, false},
-      {"forces", "Distributions of the normal and tangential contact forces",
-       "Each is divided by its mean.", false},
-      {"forces_friction",
-       "Mobilised friction <i>f</i><sub>t</sub> / (μ <i>f</i><sub>n</sub>) of the contacts", "",
-       false},
-      {"forces_coordination", "How many particles, and in how many contacts, a particle touches",
-       "", false},
+      distribution_of_forces,
+      mobilised_friction,
+      coordination,
       {"forces_fabric", "Angle of the contact normals to the vertical, and their normal force", "",
        false},
       {"energies", "Energies over time", "", false}};

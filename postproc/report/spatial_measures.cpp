@@ -117,32 +117,29 @@ std::optional<VerticalProfile> profile_of(const std::string& what, const Spatial
   });
 }
 
+// What a sample of G(r) or of directions says of the one packing.
+template <class Sample>
+auto sampled(const std::string& what, Sample sample, const SpatialPacking& packing, Json& summary) {
+  return measured(what, summary, [&] {
+    sample.add(packing);
+    return sample.result();
+  });
+}
+
 // How the particles lie and fill space, as the bodies alone tell.
 int report_bodies(const SpatialPacking& packing, const Frame& bodies, const fs::path& out,
                   Json& summary) {
   int made = 0;
-  if (const auto result = measured("orientation", summary, [&] {
-        SpatialOrientationSample sample;
-        sample.add(packing);
-        return sample.result();
-      })) {
+  if (const auto result = sampled("orientation", SpatialOrientationSample(), packing, summary)) {
     put_orientation(*result, out, summary);
     ++made;
   }
-  if (const auto rdf = measured("RDF", summary, [&] {
-        SpatialRdfSample sample({});
-        sample.add(packing);
-        return sample.result();
-      })) {
+  if (const auto rdf = sampled("RDF", SpatialRdfSample({}), packing, summary)) {
     put_rdf(*rdf, out, summary);
     ++made;
   }
-  const AxialRdfOptions axial;
-  if (const auto rdf = measured("pair correlation along and across", summary, [&] {
-        AxialRdfSample sample(axial);
-        sample.add(packing);
-        return sample.result();
-      })) {
+  if (const auto rdf = sampled("pair correlation along and across",
+                               AxialRdfSample(AxialRdfOptions()), packing, summary)) {
     put_axial_rdf(*rdf, out, summary);
     ++made;
   }
