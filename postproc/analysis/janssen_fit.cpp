@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "reading/number_text.h"
+#include "rodpack/geometry/pi.h"
 
 namespace rodpack {
 namespace {
@@ -73,7 +74,7 @@ JanssenFit fit_janssen(const PressureProfile& profile) {
   residuals(logs, residual);
   residuals.df(logs, jacobian);
   const double spacing = std::fabs(depth[1] - depth[0]);
-  const double correlated = std::max(1.0, 2 * std::sqrt(M_PI) * profile.scale / spacing);
+  const double correlated = std::max(1.0, 2 * std::sqrt(pi) * profile.scale / spacing);
   const double variance = residual.squaredNorm() / static_cast<double>(n - 2) * correlated;
   const Eigen::Matrix2d covariance = (jacobian.transpose() * jacobian).inverse() * variance;
   JanssenFit fit;

@@ -2,9 +2,10 @@
 #ifndef RODPACK_READING_ANGLES_H
 #define RODPACK_READING_ANGLES_H
 
+#include "rodpack/geometry/pi.h"
+
 namespace rodpack {
 
-constexpr double pi = 3.14159265358979323846;
 /// One degree, rad: angles are radians in dumps, degrees in tables and figures.
 constexpr double degree = pi / 180;
 constexpr double degrees_in_radian = 180 / pi;

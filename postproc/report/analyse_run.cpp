@@ -112,8 +112,8 @@ class Analysis {
       for (const std::string name : {"x", "y", "radius", "fx", "fy", "fz"})
         files_.spheres->column(name);
     if (const auto table = run_ / "energies.csv"; fs::exists(table)) read_energies(table.string());
-    contacts_ = read_contact_report(run_.string(), files_.bodies, options_.packing.parameters,
-                                    options_.friction);
+    contacts_ = measure_contacts(run_.string(), files_.bodies, options_.packing.parameters,
+                                 options_.friction);
     if (files_.own_parameters || contacts_.frame.rows == 0) return;
     auto why = why_not_of_these_bodies(contacts_.frame, files_.bodies);
     if (!why.empty()) throw DataError(why + ": expected contacts and bodies of one run");
@@ -235,7 +235,7 @@ class Analysis {
   RunFiles files_;
   double dt_ = 0;  // s; 0: unknown
   std::optional<Packing> packing_;
-  ContactReport contacts_;
+  MeasuredContacts contacts_;
   Json summary_;
   std::size_t first_measure_note_ = 0;
 };

@@ -111,9 +111,9 @@ void report_solid_fraction(const Packing& packing, const fs::path& out, Json& su
   plot_solid_fraction(field, d, packing.walls.floor, (out / "solid_fraction").string());
 }
 
-ContactReport read_contact_report(const std::string& run, const Frame& bodies,
+MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
                                   const std::string& parameters, std::optional<double> friction) {
-  ContactReport report;
+  MeasuredContacts report;
   try {
     report.files = dumps_of_run(run, "contacts");
   } catch (const DataError& reason) {
@@ -144,7 +144,7 @@ ContactReport read_contact_report(const std::string& run, const Frame& bodies,
   return report;
 }
 
-void report_contacts(const ContactReport& contacts, const fs::path& out, Json& summary) {
+void report_contacts(const MeasuredContacts& contacts, const fs::path& out, Json& summary) {
   if (!contacts.note.empty()) summary["notes"].push_back("contacts: " + contacts.note);
   if (!contacts.forces) return;
   const auto& forces = *contacts.forces;

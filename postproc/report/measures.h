@@ -41,7 +41,7 @@ void put_janssen_fit(const std::optional<JanssenFit>& fit, double particle_diame
                      const std::string& pressure_unit, nlohmann::ordered_json& summary);
 
 /// The contacts of one timestep of a run and what they say, or why they say nothing.
-struct ContactReport {
+struct MeasuredContacts {
   std::vector<std::string> files;  // all contacts' dumps of the run
   Frame frame;                     // that of the timestep; without rows where there is none
   std::optional<ContactForces> forces;
@@ -52,11 +52,11 @@ struct ContactReport {
 /// Reads the contacts of the timestep of `bodies` and measures their forces. `parameters`: the
 /// run's parameters.json; `friction`: in place of what that says. @throws DataError when a column
 /// is missing or malformed.
-ContactReport read_contact_report(const std::string& run, const Frame& bodies,
+MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
                                   const std::string& parameters, std::optional<double> friction);
 
 /// Distributions and numbers of the forces, in a plane and in space.
-void report_contacts(const ContactReport& contacts, const std::filesystem::path& out,
+void report_contacts(const MeasuredContacts& contacts, const std::filesystem::path& out,
                      nlohmann::ordered_json& summary);
 
 /// Maps of the fields and the profile of the pressure; without contacts (null) the densities alone.

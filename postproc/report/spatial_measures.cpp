@@ -153,7 +153,7 @@ int report_bodies(const SpatialPacking& packing, const Frame& bodies, const fs::
 }  // namespace
 
 int report_in_space(const SpatialPacking& packing, const Frame& bodies,
-                    const ContactReport& contacts, const fs::path& out, Json& summary) {
+                    const MeasuredContacts& contacts, const fs::path& out, Json& summary) {
   int made = report_bodies(packing, bodies, out, summary);
   report_contacts(contacts, out, summary);
   if (contacts.forces) {

@@ -17,7 +17,7 @@ namespace rodpack {
 /// Returns how many measures were made.
 /// @throws DataError when drawing fails or a column of the contacts is malformed.
 int report_in_space(const SpatialPacking& packing, const Frame& bodies,
-                    const ContactReport& contacts, const std::filesystem::path& out,
+                    const MeasuredContacts& contacts, const std::filesystem::path& out,
                     nlohmann::ordered_json& summary);
 
 }  // namespace rodpack

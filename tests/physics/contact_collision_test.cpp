@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,8 +23,6 @@ std::string text(double value) {
   std::snprintf(digits, sizeof(digits), "%.17g", value);
   return digits;
 }
-
-using Vars = std::map<std::string, std::string>;
 
 Vars variables(const CollisionReference& collision, double dt, double time,
                const std::string& order) {

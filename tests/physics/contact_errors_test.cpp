@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
 #include <string>
 
 #include "deck.h"
@@ -10,7 +9,6 @@
 
 using namespace rodpack::test;
 using testing::HasSubstr;
-using Vars = std::map<std::string, std::string>;
 
 namespace {
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,8 +19,6 @@ using namespace rodpack::test;
 using testing::HasSubstr;
 
 namespace {
-
-using Vars = std::map<std::string, std::string>;
 
 // Rods that fall into a narrow box, line by line, or go on from a restart file. `extra`: a line
 // before the run.

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "liggghts_run.h"
@@ -14,7 +13,6 @@
 using namespace rodpack::test;
 using rodpack::stability_limit;
 using testing::HasSubstr;
-using Vars = std::map<std::string, std::string>;
 
 namespace {
 

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
+#include <vector>
+
+#include "sources.h"
 
 // Dependencies point one way (liggghts-src-ext/doc/background/ARCHITECTURE.md), so that a room can
 // be read, tested and replaced without those that use it.
 namespace {
 namespace fs = std::filesystem;
+using namespace rodpack::test;
+
+const fs::path core = "liggghts-src-ext/core";
 
 /// What each room may include besides itself and libraries.
 using Rules = std::map<std::string, std::set<std::string>>;
@@ -20,25 +25,17 @@ using Rules = std::map<std::string, std::set<std::string>>;
 /// path as it is written.
 using RoomOfInclude = std::function<std::string(const fs::path&, const std::string&)>;
 
-const fs::path repository = RODPACK_REPOSITORY;
-
 void expect_one_way(const fs::path& rooms, const Rules& rules, const RoomOfInclude& room_of) {
-  const std::regex include("^#include \"([^\"]+)\".*");
   int seen = 0;
   for (const auto& [room, others] : rules) {
-    if (!fs::exists(rooms / room)) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(rooms / room)) {
-      if (!entry.is_regular_file()) continue;
-      std::ifstream in(entry.path());
-      for (std::string line; std::getline(in, line);) {
-        std::smatch found;
-        if (!std::regex_match(line, found, include)) continue;
-        const std::string other = room_of(entry.path().parent_path(), found[1]);
+    if (!fs::exists(repository / rooms / room)) continue;
+    for (const auto& file : sources_below(rooms / room))
+      for (const std::string& path : includes_of(file)) {
+        const std::string other = room_of(file.parent_path(), path);
         if (other.empty()) continue;
         ++seen;
-        EXPECT_TRUE(other == room || others.count(other)) << entry.path().string() << ": " << line;
+        EXPECT_TRUE(other == room || others.count(other)) << file.string() << ": " << path;
       }
-    }
   }
   EXPECT_GT(seen, 10) << rooms.string() << ": the includes were not found";
 }
@@ -47,7 +44,7 @@ void expect_one_way(const fs::path& rooms, const Rules& rules, const RoomOfInclu
 void expect_all_rooms(const std::set<fs::path>& folders, const Rules& rules) {
   std::set<std::string> rooms;
   for (const fs::path& folder : folders)
-    for (const auto& entry : fs::directory_iterator(folder))
+    for (const auto& entry : fs::directory_iterator(repository / folder))
       if (entry.is_directory()) rooms.insert(entry.path().filename().string());
   std::set<std::string> ruled;
   for (const auto& rule : rules) ruled.insert(rule.first);
@@ -66,13 +63,13 @@ TEST(Rooms, DependenciesOfTheCorePointOneWay) {
                        {"planar", of_engine},
                        {"planar_ranks", of_engine},
                        {"planar_simd", of_engine}};
-  const fs::path core = repository / "liggghts-src-ext" / "core";
   const fs::path headers = core / "include" / "rodpack", sources = core / "src";
   const RoomOfInclude room_of = [&](const fs::path& folder, const std::string& path) {
     if (path.compare(0, 8, "rodpack/") == 0 && path.find('/', 8) != std::string::npos)
       return path.substr(8, path.find('/', 8) - 8);
     const fs::path file = (folder / path).lexically_normal();
-    return file.parent_path() == sources ? std::string() : file.parent_path().filename().string();
+    return file.parent_path() == repository / sources ? std::string()
+                                                      : file.parent_path().filename().string();
   };
   expect_all_rooms({headers, sources}, rules);
   expect_one_way(headers, rules, room_of);
@@ -87,10 +84,10 @@ TEST(Rooms, DependenciesOfTheStylesPointOneWay) {
                        {"motion", {"support", "contact"}},
                        {"measuring", {"support", "contact"}},
                        {"planar", {"support", "contact", "motion"}}};
-  const fs::path styles = repository / "liggghts-src-ext" / "styles";
+  const fs::path styles = "liggghts-src-ext/styles";
   // LIGGGHTS puts all headers into one folder: they are included by their names alone.
   std::map<std::string, std::string> rooms;
-  for (const auto& entry : fs::recursive_directory_iterator(styles))
+  for (const auto& entry : fs::recursive_directory_iterator(repository / styles))
     if (entry.is_regular_file())
       rooms[entry.path().filename().string()] = entry.path().parent_path().filename().string();
   expect_all_rooms({styles}, rules);
@@ -106,19 +103,83 @@ TEST(Rooms, DependenciesOfThePostProcessorPointOneWay) {
       {"reading", {}},
       {"programs", {"reading"}},
       {"analysis", {"reading"}},
+      {"timestep", {"reading", "analysis"}},
       {"figures", {"reading", "programs", "analysis"}},
       {"report", {"reading", "analysis", "figures"}},
-      {"campaigns", {"reading", "programs", "analysis", "figures"}},
+      {"campaigns/launch", {"reading", "programs"}},
+      {"campaigns", {"reading", "programs", "analysis", "figures", "campaigns/launch"}},
       {"ensemble", {"reading", "analysis"}},
-      // campaigns: launch/, which knows where inputs/ is
-      {"study", {"reading", "analysis", "figures", "ensemble", "campaigns"}},
+      // launch/ knows where inputs/ is
+      {"study", {"reading", "analysis", "figures", "ensemble", "campaigns/launch"}},
       {"page", {"reading", "analysis", "ensemble", "figures", "report"}},
       {"cli",
-       {"reading", "analysis", "figures", "report", "ensemble", "study", "page", "campaigns"}}};
-  expect_one_way(repository / "postproc", rules, [&](const fs::path&, const std::string& path) {
+       {"reading", "analysis", "timestep", "figures", "report", "ensemble", "study", "page",
+        "campaigns", "campaigns/launch"}}};
+  Rules rooms = rules;
+  rooms.erase("campaigns/launch");
+  rooms.insert({{"doc", {}}, {"python", {}}});
+  expect_all_rooms({"postproc"}, rooms);
+  expect_one_way("postproc", rules, [&](const fs::path&, const std::string& path) {
+    if (path.compare(0, 17, "campaigns/launch/") == 0) return std::string("campaigns/launch");
     const std::string first = path.substr(0, path.find('/'));
     return rules.count(first) ? first : std::string();
   });
+}
+
+/// The headers of the engine that a source of it sees, in the way that the compiler finds them.
+std::set<std::string> engine_headers_of(const fs::path& source) {
+  std::set<std::string> seen;
+  std::vector<fs::path> open = {source};
+  while (!open.empty()) {
+    const fs::path file = open.back();
+    open.pop_back();
+    for (const std::string& path : includes_of(file)) {
+      const fs::path header = (file.parent_path() / path).lexically_normal();
+      if (fs::exists(header) && seen.insert(header.stem().string()).second) open.push_back(header);
+    }
+  }
+  return seen;
+}
+
+TEST(Rooms, OnlyTheSceneSeesAllPartsOfTheEngine) {
+  const std::set<std::string> parts = {"bodies",          "blocks", "events", "neighbours",
+                                       "force_evaluator", "ghosts", "halo",   "pipeline"};
+  std::set<std::string> with_all;
+  for (const char* room : {"planar", "planar_ranks", "planar_simd"})
+    for (const auto& file : sources_below(core / "src" / room)) {
+      const auto seen = engine_headers_of(file);
+      if (std::includes(seen.begin(), seen.end(), parts.begin(), parts.end()))
+        with_all.insert(file.filename().string());
+    }
+  EXPECT_EQ(with_all, std::set<std::string>{"scene.cpp"});
+}
+
+TEST(Rooms, TheHaloIsCompiledWithoutListsBlocksAndForces) {
+  const auto seen = engine_headers_of(repository / core / "src/planar_ranks/halo.cpp");
+  EXPECT_TRUE(seen.count("bodies") && seen.count("events"));
+  for (const char* part : {"blocks", "neighbours", "candidates", "grid", "force_evaluator"})
+    EXPECT_EQ(seen.count(part), 0u) << part;
+}
+
+// A public header is for others: they include it, or one that needs it.
+TEST(Rooms, EveryPublicHeaderHasAUserOutsideTheCore) {
+  const fs::path include = core / "include";
+  std::set<fs::path> used;
+  std::vector<fs::path> open;
+  const auto use = [&](const fs::path& header) {
+    if (fs::exists(header) && used.insert(header).second) open.push_back(header);
+  };
+  for (const char* folder : {"liggghts-src-ext/styles", "liggghts-src-ext/vtk", "postproc"})
+    for (const auto& file : sources_below(folder))
+      for (const std::string& path : includes_of(file)) use(repository / include / path);
+  while (!open.empty()) {
+    const fs::path header = open.back();
+    open.pop_back();
+    for (const std::string& path : includes_of(header))
+      use((header.parent_path() / path).lexically_normal());
+  }
+  EXPECT_GT(used.size(), 20u);
+  for (const auto& header : sources_below(include)) EXPECT_EQ(used.count(header), 1u) << header;
 }
 
 // A folder has one theme, and can be taken in at a glance.

@@ -29,7 +29,7 @@ struct FixWallGranSolid::Arguments {
     wall.choice("primitive", {"type"});
     const std::string type = wall.peek();
     const int types = lmp->atom->ntypes;
-    if (wall.integer("T", "an atom type in [1, 2147483647]") > types)
+    if (wall.integer("T", an_atom_type) > types)
       wall.reject("T", "at most " + std::to_string(types) + ", the number of atom types", type);
     axis = wall.choice("PLANE", {"xplane", "yplane", "zplane"});
     position = wall.number("POSITION", a_position);

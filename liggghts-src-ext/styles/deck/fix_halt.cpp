@@ -32,7 +32,7 @@ FixHalt::FixHalt(LAMMPS* lmp, int narg, char** arg)
       halted_(false),
       quit_set_here_(false) {
   StyleArguments arguments(lmp, narg, arg);
-  nevery = arguments.integer("N", "a whole number in [1, 2147483647]");
+  nevery = arguments.integer("N", a_count);
   const std::string variable = arguments.word("v_NAME", expected_variable);
   if (variable.compare(0, 2, "v_") != 0) arguments.reject("v_NAME", expected_variable, variable);
   variable_ = variable.substr(2);

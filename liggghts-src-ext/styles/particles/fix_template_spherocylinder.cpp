@@ -14,6 +14,7 @@
 #include "random_park.h"
 #include "rod_properties.h"
 #include "rodpack/averaging/volume_shares.h"
+#include "rodpack/geometry/pi.h"
 #include "stop_run.h"
 
 namespace LAMMPS_NS {
@@ -123,7 +124,7 @@ void FixTemplateSpherocylinder::post_create() {
 
   volume_expect = mean_over_draws(*options_, [](const Spherocylinder& p) { return p.volume; });
   mass_expect = mean_over_draws(*options_, [](const Spherocylinder& p) { return p.mass.mass; });
-  r_equiv = std::cbrt(3. * volume_expect / (4. * M_PI));
+  r_equiv = std::cbrt(3. * volume_expect / (4. * rodpack::pi));
   pdf_density->set_params<RANDOM_CONSTANT>(mass_expect / volume_expect);
 
   vectorConstruct3D(ex_space_, 1., 0., 0.);

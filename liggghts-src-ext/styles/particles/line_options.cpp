@@ -17,8 +17,6 @@ namespace LAMMPS_NS {
 
 namespace {
 
-const char* const a_number_of_particles = "a whole number in [1, 2147483647]";
-
 const std::set<std::string> keywords = {"template", "per_line", "x",      "y",
                                         "z",        "total",    "fall",   "interval",
                                         "velocity", "angle",    "gravity"};
@@ -48,9 +46,9 @@ void read_keyword(LAMMPS* lmp, StyleArguments& arguments, const std::string& key
   if (keyword == "template") {
     read_templates(lmp, arguments, options);
   } else if (keyword == "per_line") {
-    options.per_line = arguments.integer(keyword, a_number_of_particles);
+    options.per_line = arguments.integer(keyword, a_count);
   } else if (keyword == "total") {
-    options.total = arguments.integer(keyword, a_number_of_particles);
+    options.total = arguments.integer(keyword, a_count);
   } else if (keyword == "x") {
     arguments.pair(keyword, a_position, options.x_low, options.x_high, true);
   } else if (keyword == "y") {
@@ -69,8 +67,8 @@ void read_keyword(LAMMPS* lmp, StyleArguments& arguments, const std::string& key
   } else if (keyword == "angle") {
     arguments.pair(keyword, "an angle (degrees) in [-1e15, 1e15]", options.angle_low,
                    options.angle_high);
-    options.angle_low *= M_PI / 180.;
-    options.angle_high *= M_PI / 180.;
+    options.angle_low *= rodpack::pi / 180.;
+    options.angle_high *= rodpack::pi / 180.;
   } else {
     arguments.reject_keyword(keyword, "one of " + list_of_keywords());
   }
@@ -137,7 +135,7 @@ std::vector<int> LineOptions::numbers() const {
 LineOptions read_line_options(LAMMPS* lmp, int narg, char** arg) {
   StyleArguments arguments(lmp, narg, arg);
   LineOptions options;
-  options.seed = arguments.integer("SEED", "a whole number in [1, 2147483647]");
+  options.seed = arguments.integer("SEED", a_count);
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword();
     read_keyword(lmp, arguments, keyword, options);

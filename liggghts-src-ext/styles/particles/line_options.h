@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "rodpack/geometry/pi.h"
+
 namespace LAMMPS_NS {
 
 class FixTemplateSphere;
@@ -22,7 +24,7 @@ struct LineOptions {
   double x_low = 0, x_high = 0, y = 0, z = 0;
   double fall = 0, interval = 0, gravity = 0;  // 0 where not given
   double velocity_low = 0, velocity_high = 0;
-  double angle_low = 0, angle_high = 2 * 3.14159265358979323846;
+  double angle_low = 0, angle_high = 2 * rodpack::pi;
 
   /// Numbers of particles of the parts, by largest remainders, so that they add up to the total.
   std::vector<int> numbers() const;

@@ -7,6 +7,7 @@
 #include "atom.h"
 #include "force.h"
 #include "lammps.h"
+#include "rodpack/geometry/pi.h"
 #include "style_arguments.h"
 
 namespace LAMMPS_NS {
@@ -51,7 +52,7 @@ void read_mass(StyleArguments& arguments, Options& options) {
 
 void read_keyword(StyleArguments& arguments, const std::string& keyword, Options& options) {
   if (keyword == "atom_type") {
-    options.atom_type = arguments.integer(keyword, "an atom type in [1, 2147483647]");
+    options.atom_type = arguments.integer(keyword, an_atom_type);
   } else if (keyword == "type") {
     options.body_type = arguments.integer(keyword, "a body type in [1, 2147483647]");
   } else if (keyword == "aspect_ratio") {
@@ -62,7 +63,7 @@ void read_keyword(StyleArguments& arguments, const std::string& keyword, Options
     options.shape.overlap = read_overlap(arguments);
   } else if (keyword == "curvature") {
     options.shape.curvature_angle =
-        M_PI / 180. * arguments.number(keyword, "an angle (degrees) in [0, 180]");
+        rodpack::pi / 180. * arguments.number(keyword, "an angle (degrees) in [0, 180]");
   } else if (keyword == "size_spread") {
     options.size_spread = arguments.number(keyword, "a fraction in [0, 1)");
   } else if (keyword == "density") {
@@ -103,7 +104,7 @@ Spherocylinder SpherocylinderOptions::particle(double diameter) const {
 SpherocylinderOptions read_spherocylinder_options(LAMMPS* lmp, int narg, char** arg) {
   StyleArguments arguments(lmp, narg, arg);
   Options options;
-  options.seed = arguments.integer("SEED", "a whole number in [1, 2147483647]");
+  options.seed = arguments.integer("SEED", a_count);
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword();
     read_keyword(arguments, keyword, options);

@@ -184,14 +184,14 @@ struct PlanarContactTransfer::Record {
   }
   Record(const PlanarContactRecord& contact, int slots, bool total_cap, std::int64_t now)
       : tangential(slots), has_cap(total_cap) {
-    const double* const constants = contact.state.constants;
+    const rodpack::PlanarContactState::Constants& constants = contact.state.constants;
     to_space(contact.state.history, {contact.normal[0], contact.normal[1]}, normal, tangential);
-    cap = to_cap(contact.state.history, normal, constants[3], constants[4]);
+    cap = to_cap(contact.state.history, normal, constants.kn, constants.gamman);
     normal.next_step = now + 1;
     tangential.step = now;
-    tangential.friction = constants[0];
-    tangential.stiffness = constants[1];
-    tangential.damping = constants[2];
+    tangential.friction = constants.friction;
+    tangential.stiffness = constants.kt;
+    tangential.damping = constants.gammat;
   }
 
   rodpack::PlanarHistory in_plane(rodpack::Vector2<double> normal_vector) const {

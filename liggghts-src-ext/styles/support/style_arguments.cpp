@@ -29,6 +29,8 @@ std::string one_of(std::initializer_list<const char*> words) {
 
 const char* const a_length = "a length (m) in (0, 1e15]";
 const char* const a_position = "a position (m) in [-1e15, 1e15]";
+const char* const a_count = "a whole number in [1, 2147483647]";
+const char* const an_atom_type = "an atom type in [1, 2147483647]";
 
 StyleArguments::StyleArguments(LAMMPS* lmp, int narg, char** arg, int first, const char* kind)
     : StyleArguments(lmp, std::string(kind) + " " + arg[2] + " (id " + arg[0] + ")", narg, arg,

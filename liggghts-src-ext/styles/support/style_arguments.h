@@ -81,9 +81,12 @@ class StyleArguments : protected Pointers {
   std::set<std::string> keywords_;
 };
 
-/// What StyleArguments expects of a length that is not 0, and of a place along an axis.
+/// What StyleArguments expects of a length that is not 0, of a place along an axis, of a number of
+/// things or a seed, and of an atom type.
 extern const char* const a_length;
 extern const char* const a_position;
+extern const char* const a_count;
+extern const char* const an_atom_type;
 
 /// Reads a finite decimal number, or an integer; false unless the text is one from end to end.
 bool read_number(const std::string& text, double& value);

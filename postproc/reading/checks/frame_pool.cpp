@@ -55,7 +55,7 @@ void FramePool::require_same_particles(const Frame& bodies) {
   const auto& radius = bodies.column("radius");
   const auto longest = static_cast<std::size_t>(
       std::max_element(half_length.begin(), half_length.end()) - half_length.begin());
-  const Particles found{
+  const ParticleKind found{
       bodies.file, bodies.column("nspheres")[longest],
       bodies.has("curvature") ? bodies.column("curvature")[longest] : 0, half_length[longest],
       std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(bodies.rows)};
@@ -68,7 +68,7 @@ void FramePool::require_same_particles(const Frame& bodies) {
   if (found.count == first.count && std::abs(found.curvature - first.curvature) < 1e-3 &&
       near(found.half_length, first.half_length, 1.12) && near(found.radius, first.radius, 1.12))
     return;
-  const auto text = [](const Particles& each) {
+  const auto text = [](const ParticleKind& each) {
     return number_text(each.count) + " spheres, half length " + number_text(each.half_length, 4) +
            " m, radius " + number_text(each.radius, 4) + " m, curvature " +
            number_text(each.curvature, 4) + " rad";

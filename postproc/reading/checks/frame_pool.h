@@ -30,14 +30,14 @@ class FramePool {
  private:
   void require_same_particles(const Frame& bodies);
 
-  struct Particles {  // the longest one, and the spheres' mean
+  struct ParticleKind {  // the longest one, and the spheres' mean
     std::string file;
     double count, curvature, half_length, radius;
   };
   bool same_particles_;
   std::map<long, std::map<std::size_t, std::string>> known_;   // timestep, content: file
   std::map<std::pair<std::string, long>, std::string> taken_;  // folder, timestep: file
-  std::optional<Particles> particles_;
+  std::optional<ParticleKind> particles_;
   std::size_t empty_ = 0, repeated_ = 0;
 };
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "liggghts_run.h"
@@ -12,7 +11,6 @@
 namespace {
 
 using namespace rodpack::test;
-using Vars = std::map<std::string, std::string>;
 
 const char* const deck = "verification/bouncing_spheres/in.bouncing_spheres";
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -16,8 +15,6 @@ using namespace rodpack::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-using Vars = std::map<std::string, std::string>;
 
 const std::string deck_in_space = "deposition3d/in.deposition3d";
 constexpr double width = 0.018;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -17,8 +16,6 @@ using namespace rodpack::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-using Vars = std::map<std::string, std::string>;
 
 const std::string deck = "deposition/in.deposition";
 constexpr double gravity = 9.81;

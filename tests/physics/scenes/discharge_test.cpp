@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -15,8 +14,6 @@ using namespace rodpack::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-using Vars = std::map<std::string, std::string>;
 
 const std::string deck = "discharge/in.discharge";
 constexpr double diameter = 3e-3;

@@ -273,7 +273,7 @@ TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
           double largest = 0;
           for (const PlanarContactState& c : one.contacts()) {
             contacts[{c.body_i, c.sphere_i, c.body_j, c.sphere_j}] = {
-                c.history.viscoelastic, c.constants[1] * c.history.spring};
+                c.history.viscoelastic, c.constants.kt * c.history.spring};
             largest = std::max(largest, std::fabs(c.history.viscoelastic));
           }
           for (const auto& contact : contacts)

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "../pi.h"
+#include "rodpack/geometry/pi.h"
 
 namespace rodpack {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "../pi.h"
+#include "rodpack/geometry/pi.h"
 
 namespace rodpack {
 namespace {

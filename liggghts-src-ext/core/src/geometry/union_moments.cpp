@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../pi.h"
 #include "rodpack/geometry/chain_geometry.h"
+#include "rodpack/geometry/pi.h"
 
 // The union of equal balls on an arc about O is split by the bisecting planes between neighbours.
 // All of them contain the axis through O normal to the arc's plane, so a ball that does not reach O

@@ -90,11 +90,8 @@ PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& po
   state.history = of_lane.history;
   PlanarContact contact;
   place_lane(pool, place, lane, contact);
-  state.constants[0] = laws_[pool.law(place)].friction;
-  state.constants[1] = contact.kt;
-  state.constants[2] = contact.gammat;
-  state.constants[3] = contact.kn;
-  state.constants[4] = contact.gamman;
+  state.constants = {contact.kn, contact.kt, contact.gamman, contact.gammat,
+                     laws_[pool.law(place)].friction};
   std::copy(contact.en, contact.en + 2, state.normal);
   return state;
 }

@@ -139,8 +139,8 @@ struct PlanarCorrection {
  private:
   /// x, y and rotation: a moment of the force over the mass, and of the torque over the moment of
   /// inertia.
-  template <class Moment>
-  void divide(const PlanarBodyChange& change, Moment moment_of, double (&result)[3]) const {
+  template <class MomentOf>
+  void divide(const PlanarBodyChange& change, MomentOf moment_of, double (&result)[3]) const {
     for (int d = 0; d < 2; ++d) result[d] = moment_of(change.force, d) / mass;
     result[2] = moment_of(change.torque, 0) / moment;
   }

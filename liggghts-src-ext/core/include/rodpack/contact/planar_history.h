@@ -41,8 +41,7 @@ inline PlanarHistory to_plane(const NormalHistory& normal_force, const Tangentia
 }
 
 /// What the cap of the whole normal force remembers of a contact, with its k_n (N/m) and normal
-/// dashpot (kg/s): the force that it follows is that of model spring_dashpot, with the same
-/// history.
+/// dashpot (kg/s): the force that it follows is that of contact_law.h, with the same history.
 inline CapHistory to_cap(const PlanarHistory& history, const NormalHistory& normal_force,
                          double stiffness, double damping) {
   CapHistory cap;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../geometry/pi.h"
+
 namespace rodpack {
 
 // An elastic normal force F = c delta^p of the overlap delta: p = 1 of a linear spring, 3/2 of
@@ -21,7 +23,6 @@ inline double tangent_stiffness(double secant, double exponent) { return exponen
 /// Half a period of a mass (kg) on a spring (N/m) and dashpot (kg/s), how long a collision with
 /// them lasts, s; infinite where it does not swing.
 inline double half_period(double stiffness, double damping, double mass) {
-  constexpr double pi = 3.14159265358979323846;
   const double decay = 0.5 * damping / mass;
   const double squared = stiffness / mass - decay * decay;
   return squared > 0.0 ? pi / std::sqrt(squared) : std::numeric_limits<double>::infinity();

@@ -43,8 +43,8 @@ inline const MultistepWeights& adams_bashforth_weights(int order) {
 
 /// Increment dt sum_k w[k] f(k) over k = 0..order-1, where f(k) returns the rate k steps back
 /// (f(0) the newest).
-template <class Rate>
-inline double multistep_increment(const MultistepWeights& weights, int order, double dt, Rate f) {
+template <class RateOf>
+inline double multistep_increment(const MultistepWeights& weights, int order, double dt, RateOf f) {
   double sum = 0.0;
   for (int k = 0; k < order; ++k) sum += weights[k] * f(k);
   return dt * sum;

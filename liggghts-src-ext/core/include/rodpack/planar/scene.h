@@ -96,9 +96,11 @@ struct PlanarContactState {
   int body_j, sphere_j;  // a wall: -1 - its index, and 0
   PlanarHistory history;
   // Set by contacts(), ignored by set_contacts():
-  // mu k_n (N/m) or, under the cap of the whole normal force, mu; k_t (N/m), tangential dashpot
-  // (kg/s); k_n, normal dashpot.
-  double constants[5];
+  struct Constants {
+    double kn, kt;          // stiffnesses, N/m
+    double gamman, gammat;  // dashpots, kg/s
+    double friction;        // mu k_n (N/m) or, under the cap of the whole normal force, mu
+  } constants;
   double normal[2];  // from j to i, unit length
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef RODPACK_SRC_PI_H
-#define RODPACK_SRC_PI_H
+#ifndef RODPACK_GEOMETRY_PI_H
+#define RODPACK_GEOMETRY_PI_H
 
 namespace rodpack {
 

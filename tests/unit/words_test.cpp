@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "sources.h"
+
+// A reader has to be able to tell words apart and to look them up.
+namespace {
+using namespace rodpack::test;
+
+/// Names of classes and of parameters of templates in the code of a line; those of types begin with
+/// a capital letter here.
+std::vector<std::string> types_named_in(std::string line) {
+  line = line.substr(0, line.find("//"));
+  for (char& letter : line)
+    if (!std::isalnum(static_cast<unsigned char>(letter)) && letter != '_') letter = ' ';
+  std::istringstream words(line);
+  std::vector<std::string> types;
+  std::string before;
+  for (std::string word; words >> word; before = word) {
+    if (word == "alignas") words >> word >> word;  // and its number
+    if ((before == "class" || before == "struct" || before == "typename") &&
+        std::isupper(static_cast<unsigned char>(word[0])))
+      types.push_back(word);
+  }
+  return types;
+}
+
+std::set<std::string> types_below(const std::vector<std::string>& folders) {
+  std::set<std::string> types;
+  for (const std::string& folder : folders)
+    for (const auto& file : sources_below(folder))
+      for (const std::string& line : lines_of(file))
+        for (const std::string& type : types_named_in(line)) types.insert(type);
+  return types;
+}
+
+TEST(Words, NoTwoTypesDifferByAnS) {
+  const auto types = types_below({"liggghts-src-ext", "postproc"});
+  EXPECT_THAT(types, testing::IsSupersetOf({"PlanarScene", "Frame", "Contact"}));
+  for (const std::string& type : types) EXPECT_EQ(types.count(type + "s"), 0u) << type;
+}
+
+TEST(Words, EveryTypeOfTheEngineStandsInTheGlossary) {
+  std::set<std::string> explained;
+  for (std::string line : lines_of(repository / "liggghts-src-ext/doc/background/glossary.md")) {
+    for (char& letter : line)
+      if (!std::isalnum(static_cast<unsigned char>(letter))) letter = ' ';
+    std::istringstream words(line);
+    for (std::string word; words >> word;) explained.insert(word);
+  }
+  int seen = 0;
+  const std::string core = "liggghts-src-ext/core/";
+  for (const std::string& type : types_below({core + "include/rodpack/planar", core + "src/planar",
+                                              core + "src/planar_ranks", core + "src/planar_simd"}))
+    if (type.compare(0, 6, "Planar") == 0) {
+      ++seen;
+      EXPECT_EQ(explained.count(type), 1u) << type;
+    }
+  EXPECT_GT(seen, 30);
+}
+
+}  // namespace
