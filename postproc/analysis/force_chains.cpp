@@ -23,6 +23,26 @@ struct PairSum {
   double weight = 0, x = 0, y = 0;
 };
 
+ForceLine line_of(const Pair& key, const PairSum& pair) {
+  const auto& e = pair.ends;
+  const auto& force = pair.force;
+  const auto& [smaller, larger, normal] = key;
+  const bool at_wall = smaller == 0;
+  ForceLine line{e[0],
+                 e[1],
+                 e[2],
+                 e[3],
+                 std::hypot(force[0], force[1], force[2]),
+                 std::lround(at_wall ? larger : smaller),
+                 std::lround(at_wall ? 0 : larger),
+                 {static_cast<double>(normal[0]) / 100, static_cast<double>(normal[1]) / 100}};
+  if (at_wall && pair.weight > 0) {
+    line.x2 = line.x1 + pair.x / pair.weight;
+    line.y2 = line.y1 + pair.y / pair.weight;
+  }
+  return line;
+}
+
 }  // namespace
 
 std::vector<ForceLine> force_lines(const Frame& contacts) {
@@ -65,25 +85,7 @@ std::vector<ForceLine> force_lines(const Frame& contacts) {
   }
 
   std::vector<ForceLine> lines;
-  for (const auto& [key, pair] : pairs) {
-    const auto& e = pair.ends;
-    const auto& force = pair.force;
-    const auto& [smaller, larger, normal] = key;
-    const bool at_wall = smaller == 0;
-    ForceLine line{e[0],
-                   e[1],
-                   e[2],
-                   e[3],
-                   std::hypot(force[0], force[1], force[2]),
-                   std::lround(at_wall ? larger : smaller),
-                   std::lround(at_wall ? 0 : larger),
-                   {static_cast<double>(normal[0]) / 100, static_cast<double>(normal[1]) / 100}};
-    if (at_wall && pair.weight > 0) {
-      line.x2 = line.x1 + pair.x / pair.weight;
-      line.y2 = line.y1 + pair.y / pair.weight;
-    }
-    lines.push_back(line);
-  }
+  for (const auto& [key, pair] : pairs) lines.push_back(line_of(key, pair));
   return lines;
 }
 

@@ -16,7 +16,7 @@ double folded(double value, double period) {
   return rest < period ? rest : 0;
 }
 
-// < exp(i fold gamma) >
+// The mean of exp(i fold gamma).
 std::complex<double> mean_power(const std::vector<double>& gamma, int fold) {
   if (gamma.empty()) throw TooFewParticles("no particle to take the order of directions of");
   std::complex<double> sum = 0;

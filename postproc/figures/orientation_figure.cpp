@@ -45,25 +45,23 @@ void plot_orientation_linear(const OrientationDistribution& distribution, const 
                   "' title 'isotropic'\n");
 }
 
-void plot_orientation_polar(const OrientationDistribution& distribution, const std::string& stem) {
-  const double width = distribution.range / static_cast<double>(distribution.centre.size());
-  const double step = round_step(largest(distribution) / 2);
-  const double outer =
-      step *
-      std::ceil(*std::max_element(distribution.density.begin(), distribution.density.end()) / step);
-  const bool half = !distribution.curved;
-  const double bottom = half ? -0.24 : -1.36;
+namespace {
 
-  // Curves in polar coordinates, separated by blank lines as gnuplot wants its polygons.
-  const auto arc = [](double radius, double from, double to, int pieces) {
-    std::string points;
-    for (int s = 0; s <= pieces; ++s) {
-      const double angle = (from + (to - from) * s / pieces) * degree;
-      points += number_text(radius * std::cos(angle)) + " " +
-                number_text(radius * std::sin(angle)) + "\n";
-    }
-    return points;
-  };
+// Curves in polar coordinates, separated by blank lines as gnuplot wants its polygons.
+std::string arc(double radius, double from, double to, int pieces) {
+  std::string points;
+  for (int s = 0; s <= pieces; ++s) {
+    const double angle = (from + (to - from) * s / pieces) * degree;
+    points +=
+        number_text(radius * std::cos(angle)) + " " + number_text(radius * std::sin(angle)) + "\n";
+  }
+  return points;
+}
+
+// A sector for each bin, in units of the density `outer`.
+std::string sectors_of(const OrientationDistribution& distribution, double outer) {
+  const double width = distribution.range / static_cast<double>(distribution.centre.size());
+  const bool half = !distribution.curved;
   std::string sectors = "$sectors << EOD\n";
   const auto add_sector = [&](double density, double from, double to) {
     sectors += "0 0\n" + arc(density / outer, from, to, 8) + "0 0\n\n\n";
@@ -73,7 +71,18 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
                distribution.centre[k] + width / 2);
   // The bin of 0 degrees ends a half rose, too.
   if (half) add_sector(distribution.density.front(), 180 - width / 2, 180);
-  sectors += "EOD\n";
+  return sectors + "EOD\n";
+}
+
+}  // namespace
+
+void plot_orientation_polar(const OrientationDistribution& distribution, const std::string& stem) {
+  const double step = round_step(largest(distribution) / 2);
+  const double outer =
+      step *
+      std::ceil(*std::max_element(distribution.density.begin(), distribution.density.end()) / step);
+  const bool half = !distribution.curved;
+  const double bottom = half ? -0.24 : -1.36;
 
   std::string grid = "$grid << EOD\n";
   std::string labels;
@@ -98,7 +107,7 @@ void plot_orientation_polar(const OrientationDistribution& distribution, const s
   labels +=
       "set label 'probability density (1/°)' at 0," + number_text(bottom + 0.06) + " center\n";
   draw_figure(stem, half ? 1.7 : 0.98,
-              sectors + grid + labels +
+              sectors_of(distribution, outer) + grid + labels +
                   "unset border\nunset tics\nset lmargin 1\nset rmargin 1\nset tmargin 0.5\n"
                   "set bmargin 0.5\nset size ratio -1\n"
                   "set xrange [-1.25:1.25]\nset yrange [" +

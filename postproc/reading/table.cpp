@@ -40,6 +40,21 @@ std::vector<std::string> split(std::string_view line, bool at_commas) {
   return fields;
 }
 
+void require_text(const std::string& line, const std::string& where) {
+  if (line.size() > longest_line)
+    throw DataError(where + ": expected a line of at most " + std::to_string(longest_line) +
+                    " characters, found a longer one");
+  if (line.find('\0') != std::string::npos)
+    throw DataError(where + ": expected text, found a NUL character");
+}
+
+void require_each_once(std::vector<std::string> names, const std::string& where) {
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end() && !twice->empty())
+    throw DataError(where + ": expected each column once, found '" + shortened(*twice) + "' twice");
+}
+
 }  // namespace
 
 std::size_t Table::index_of(const std::string& name) const {
@@ -96,22 +111,13 @@ Table read_table(const std::string& file, const std::string& header) {
     table.header_line_ = number;
     at_commas = has_comma(names_line);
     table.names_ = split(names_line, at_commas);
-    auto sorted = table.names_;
-    std::sort(sorted.begin(), sorted.end());
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twice != sorted.end() && !twice->empty())
-      throw DataError(at_line(file, number) + ": expected each column once, found '" +
-                      shortened(*twice) + "' twice");
+    require_each_once(table.names_, at_line(file, number));
   };
   bool named_by_comment = false;
   long number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (line.size() > longest_line)
-      throw DataError(at_line(file, number) + ": expected a line of at most " +
-                      std::to_string(longest_line) + " characters, found a longer one");
-    if (line.find('\0') != std::string::npos)
-      throw DataError(at_line(file, number) + ": expected text, found a NUL character");
+    require_text(line, at_line(file, number));
     const auto content = without_blanks(line);
     if (content.empty()) continue;
     if (content.front() == '#') {

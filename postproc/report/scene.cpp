@@ -2,13 +2,13 @@
 #include "report/scene.h"
 
 #include "reading/number_text.h"
+#include "reading/parameters.h"
 
 namespace rodpack {
 namespace {
 
 constexpr double papers_width = 20;  // of the container, in l_axial
 constexpr double papers_height = 2;  // of the container, m
-constexpr double rounding = 1e-5;    // relative, of lengths in parameters.json
 
 }  // namespace
 
@@ -21,7 +21,8 @@ std::string scene_unlike_the_papers(const nlohmann::json& parameters) {
   const double width = number("container_width_m"), height = number("container_height_m");
   if (!(diameter > 0 && ratio > 0 && width > 0 && height > 0)) return {};
   const double lengths = width / (ratio * diameter);
-  if (lengths >= papers_width * (1 - rounding) && height >= papers_height * (1 - rounding))
+  if (lengths >= papers_width * (1 - length_rounding) &&
+      height >= papers_height * (1 - length_rounding))
     return {};
   return "Not the paper's scene: the container is " + number_text(width / diameter, 3) +
          " d_p wide (" + number_text(lengths, 3) + " particle lengths) and " +

@@ -125,7 +125,7 @@ void Parameter::declare_choice(const Declaration& it, StyleArguments& arguments)
     list += " " + choice;
   }
   if (!choices.count(it.value)) arguments.fail("value '" + it.value + "' is none of:" + list);
-  // the input language compares numbers only, so a deck tests ${NAME_is_CHOICE} == 1
+  // The input language compares numbers only, so a deck tests ${NAME_is_CHOICE} == 1.
   for (const auto& choice : choices)
     set_variable(it.name + "_is_" + choice, "string", choice == it.value ? "1" : "0");
 }
@@ -247,7 +247,7 @@ void Parameter::compare(const std::string& file, const std::set<std::string>& ex
 }
 
 std::string Parameter::take_value(const std::string& name, const std::string& fallback) const {
-  // "index" leaves a variable alone that the command line has set already
+  // An "index" leaves a variable alone that the command line has set already.
   set_variable(name, "index", fallback);
   return input->variable->retrieve(const_cast<char*>(name.c_str()));
 }

@@ -21,7 +21,7 @@ class DumpStressGoldhirsch : public Dump {
 
  protected:
   void init_style();
-  // Dump::write's steps for lines per atom, of which there are none here
+  // Dump::write's steps for lines per atom, of which there are none here.
   void write_header(bigint) {}
   void pack(int*) {}
   void write_data(int, double*) {}

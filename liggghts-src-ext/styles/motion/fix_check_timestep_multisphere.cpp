@@ -331,7 +331,7 @@ void FixCheckTimestepMultisphere::check() {
 
 void FixCheckTimestepMultisphere::report(const Limit& limit) {
   const bool beyond = fraction_ > 1.0;
-  // once, and again when it has grown by a tenth
+  // A warning comes once, and again when the fraction has grown by a tenth.
   if (!(beyond && error_) && !(fraction_ > warn_ && fraction_ > 1.1 * warned_)) return;
   const std::string method =
       order_ == 0 ? "velocity Verlet" : "Adams-Bashforth of order " + std::to_string(order_);

@@ -58,7 +58,7 @@ FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
   order_ = options_.order();
   planar_ = options_.planar();
 
-  // bodies of the built-in fix can be taken over from its restart files
+  // Bodies of the built-in fix can be taken over from its restart files.
   delete[] accepts_restart_data_from_style;
   accepts_restart_data_from_style = new char[sizeof("multisphere")];
   strcpy(accepts_restart_data_from_style, "multisphere");
@@ -258,7 +258,7 @@ void FixMultisphereAB::advance_spatial(int body) {
 }
 
 void FixMultisphereAB::require_planar(int body) {
-  // z has to be a principal axis, or the motion about it would tip the body over
+  // The z axis has to be a principal one, or the motion about it would tip the body over.
   const double* inertia = inertia_(body);
   const double* axes[3] = {ex_(body), ey_(body), ez_(body)};
   double product[2] = {0.0, 0.0};

@@ -56,7 +56,7 @@ void flatten_orientation(const double* reference, double* quat, double* ex, doub
     MathExtra::quatquat(turn, const_cast<double*>(reference), flat);
   }
 
-  // z components: those of the reference orientation, which a turn about z leaves alone
+  // The z components are those of the reference orientation, which a turn about z leaves alone.
   double rx[3], ry[3], rz[3];
   MathExtra::q_to_exyz(const_cast<double*>(reference), rx, ry, rz);
   double normal[3] = {rx[2], ry[2], rz[2]};

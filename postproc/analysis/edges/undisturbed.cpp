@@ -4,14 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "reading/parameters.h"
+
 namespace rodpack {
-namespace {
-
-// Relative margin of comparisons of lengths: the paper's container leaves exactly 3 w beside its
-// slice, and lengths in parameters.json and dumps are rounded to six digits or more.
-constexpr double rounding = 1e-5;
-
-}  // namespace
 
 double kernel_reach(const AveragingKernel& kernel) {
   return std::min(3 * kernel.scale(), kernel.cutoff());
@@ -20,7 +15,8 @@ double kernel_reach(const AveragingKernel& kernel) {
 Rectangle undisturbed_part(const Packing& packing, double reach, Normalisation normalisation) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   const auto& walls = packing.walls;
-  const double away = reach * (1 - rounding);
+  // The paper's container leaves exactly 3 w beside its slice.
+  const double away = reach * (1 - length_rounding);
   Rectangle part{-endless, endless, -endless, endless};
   if (normalisation == Normalisation::none) {
     if (walls.sides) {

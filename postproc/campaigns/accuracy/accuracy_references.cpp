@@ -55,7 +55,8 @@ class ReferenceContact {
       slides_ = 0;
     } else {
       const int sign = kt_ * s + ct_ * vt > 0 ? 1 : -1;
-      // shortened, as the law says, even where the dashpot then lets it stick
+      // The spring is shortened, as the law says, even where the dashpot then lets the contact
+      // stick.
       s = sign * cap * inside / kt_;
       start_sliding(sign, vn, vt);
     }
@@ -117,7 +118,7 @@ class PairMotion : public HybridSystem {
   View view(const State& y) const {
     const double r = std::hypot(y[X], y[Y]);
     const double nx = y[X] / r, ny = y[Y] / r, arm = 0.5 * r;
-    // along (-ny, nx); the surface point lies against the normal
+    // The velocity along (-ny, nx) of the point of the surface, which lies against the normal.
     const double vt = -y[U] * ny + y[V] * nx - arm * y[OMEGA];
     return {nx, ny, arm, 2 * pair_.radius - r, y[U] * nx + y[V] * ny, vt};
   }

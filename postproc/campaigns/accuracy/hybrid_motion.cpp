@@ -10,7 +10,7 @@ namespace {
 
 using State = HybridSystem::State;
 
-// Butcher tableaux: stage k starts from y + h sum_j a[k][j] slope_j
+// A Butcher tableau: stage k starts from y + h sum_j a[k][j] slope_j.
 struct Tableau {
   std::vector<std::vector<double>> a;
   std::vector<double> weights;

@@ -34,7 +34,7 @@ std::string y_axis(const Panel& panel) {
     }
   const double spread = std::max(high - low, 1e-3 * std::fabs(high));
   const double tic = 2 * round_step(spread / 5);
-  // gnuplot leaves more room for tic labels than they need
+  // Labels of the tics have the digits that they need: gnuplot leaves more room.
   const double digits = tic < 1 ? 1 - std::floor(std::log10(tic) + 1e-9) : high < 10 ? 0 : 1;
   return "set yrange [" + number_text(panel.from_zero ? 0 : low - 0.06 * spread) + ":" +
          number_text(high + 0.06 * spread) + "]\nset ytics " + number_text(tic) + "\nset ylabel '" +
@@ -181,7 +181,7 @@ void draw_steps(const std::vector<BedRow>& rows, const std::vector<BedComparison
   std::size_t look = 0;
   for (const auto& comparison : comparisons) {
     if (comparison.name.rfind("step_", 0) != 0) continue;
-    // side by side, so that error bars show
+    // Every third method lies beside the next two, so that error bars show.
     const double shift = 0.25 * (static_cast<double>(look % 3) - 1);
     const auto x = [shift](const BedModel& model) { return 1e6 * model.step + shift; };
     for (std::size_t q = 0; q < panels.size(); ++q)

@@ -154,7 +154,7 @@ double gaussian_cutoff(double tolerance, int dimension) {
   double low = 0, high = 40;  // bisection: the share beyond falls with the radius
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (low + high);
-    // erfc, not 1 - erf: the share is far below the rounding error of 1
+    // By erfc, not 1 - erf: the share is far below the rounding error of 1.
     const double beyond = std::erfc(middle / std::sqrt(2.0)) +
                           middle / root_half_pi * std::exp(-0.5 * middle * middle);
     (beyond > tolerance ? low : high) = middle;

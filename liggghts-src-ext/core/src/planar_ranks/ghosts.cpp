@@ -36,7 +36,7 @@ void PlanarGhosts::drop_all_but(const std::vector<PlanarBody>& chosen) {
     of_tag_.insert(*known);
     before.erase(known);
   }
-  // in an order that does not depend on that of the map
+  // The order must not depend on that of the map.
   std::vector<int> dropped;
   for (const auto& entry : before) dropped.push_back(entry.second);
   std::sort(dropped.begin(), dropped.end());
