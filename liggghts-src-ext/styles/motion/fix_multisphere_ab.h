@@ -70,6 +70,16 @@ class FixMultisphereAB : public FixMultisphere {
   typedef VectorContainer<double, 6> PlanarRecord;
   typedef VectorContainer<double, 13> SpatialRecord;
 
+  // What events of the last step have changed. It waits for the next step, so that bodies, spheres
+  // and forces of a step, and of a restart file, belong together.
+  struct MissedMotion {
+    double displacement[3];      // m
+    double rotation[3];          // rad
+    double velocity[3];          // m/s
+    double angular_momentum[3];  // kg m^2/s
+  };
+  typedef VectorContainer<double, 12> StoredMissedMotion;
+
   void parse(int narg, char** arg);
   void add_history();
   template <class Record>
@@ -104,6 +114,7 @@ class FixMultisphereAB : public FixMultisphere {
   void sum_changes();
   rodpack::SpatialJump correct_planar(int body, const rodpack::BodyChange& sum);
   rodpack::SpatialJump correct_spatial(int body, const rodpack::BodyChange& sum);
+  MissedMotion& missed_motion(int body) const;
   void keep_missed_motion(int body, const rodpack::SpatialJump& jump, const double* momentum);
   void publish(const std::vector<rodpack::SpatialJump>& jumps);
 
@@ -121,10 +132,7 @@ class FixMultisphereAB : public FixMultisphere {
   ScalarContainer<int>* layout_;       // what the records below hold; negative
   ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at order + 1
   ScalarContainer<double>* timestep_;  // the rates are this far apart, s
-  // Displacement (m), rotation (rad) and the changes of velocity (m/s) and angular momentum (kg
-  // m^2/s) by events of the last step. They wait for the next one, so that bodies, spheres and
-  // forces of a step, and of a restart file, belong together.
-  VectorContainer<double, 12>* missed_motion_;
+  StoredMissedMotion* missed_motion_;
   std::vector<class FixMoveMultisphere*> movers_;  // NULL for one that has ended
   bool spheres_lag_ = false;          // whether spheres do not know velocities that were prescribed
   ScalarContainer<int>* prescribed_;  // which of these moves the body, counted from 1; 0: none

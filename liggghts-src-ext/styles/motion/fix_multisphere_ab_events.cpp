@@ -2,6 +2,7 @@
 // Events of contacts: what the last step has missed is added to the state of the bodies, and the
 // records of the past are made to continue the new branch of the forces.
 #include <algorithm>
+#include <cstddef>
 
 #include "atom.h"
 #include "comm.h"
@@ -101,49 +102,57 @@ SpatialJump FixMultisphereAB::correct_spatial(int body, const BodyChange& sum) {
   return jump;
 }
 
+FixMultisphereAB::MissedMotion& FixMultisphereAB::missed_motion(int body) const {
+  static_assert(offsetof(MissedMotion, displacement) == 0 &&
+                    offsetof(MissedMotion, rotation) == 24 &&
+                    offsetof(MissedMotion, velocity) == 48 &&
+                    offsetof(MissedMotion, angular_momentum) == 72 && sizeof(MissedMotion) == 96,
+                "it is stored, in restart files too, as twelve plain doubles");
+  return *reinterpret_cast<MissedMotion*>((*missed_motion_)(body));
+}
+
 /// `momentum`: the angular momentum that is missing.
 void FixMultisphereAB::keep_missed_motion(int body, const SpatialJump& jump,
                                           const double* momentum) {
-  double* missed = (*missed_motion_)(body);
-  std::copy(jump.displacement, jump.displacement + 3, missed);
-  std::copy(jump.rotation, jump.rotation + 3, missed + 3);
-  std::copy(jump.velocity, jump.velocity + 3, missed + 6);
-  std::copy(momentum, momentum + 3, missed + 9);
+  MissedMotion& missed = missed_motion(body);
+  std::copy_n(jump.displacement, 3, missed.displacement);
+  std::copy_n(jump.rotation, 3, missed.rotation);
+  std::copy_n(jump.velocity, 3, missed.velocity);
+  std::copy_n(momentum, 3, missed.angular_momentum);
 }
 
 void FixMultisphereAB::move_planar(int body) {
-  double* missed = (*missed_motion_)(body);
+  MissedMotion& missed = missed_motion(body);
   for (int d = 0; d < 2; ++d) {
-    xcm_(body)[d] += missed[d];
-    vcm_(body)[d] += missed[6 + d];
+    xcm_(body)[d] += missed.displacement[d];
+    vcm_(body)[d] += missed.velocity[d];
   }
-  omega_(body)[2] += missed[11] / moment_about_z(body);
-  if (missed[5] != 0.0) {
+  omega_(body)[2] += missed.angular_momentum[2] / moment_about_z(body);
+  if (missed.rotation[2] != 0.0) {
     double q[4];
     std::copy(quat_(body), quat_(body) + 4, q);
-    rodpack::rotate_about_z(missed[5], q);
+    rodpack::rotate_about_z(missed.rotation[2], q);
     std::copy(q, q + 4, quat_(body));
   }
-  std::fill_n(missed, 12, 0.0);
+  missed = MissedMotion();
 }
 
 void FixMultisphereAB::move_spatial(int body) {
-  double* missed = (*missed_motion_)(body);
+  MissedMotion& missed = missed_motion(body);
   for (int d = 0; d < 3; ++d) {
-    xcm_(body)[d] += missed[d];
-    vcm_(body)[d] += missed[6 + d];
-    angmom_(body)[d] += missed[9 + d];
+    xcm_(body)[d] += missed.displacement[d];
+    vcm_(body)[d] += missed.velocity[d];
+    angmom_(body)[d] += missed.angular_momentum[d];
   }
-  if (missed[3] != 0.0 || missed[4] != 0.0 || missed[5] != 0.0) {
+  if (missed.rotation[0] != 0.0 || missed.rotation[1] != 0.0 || missed.rotation[2] != 0.0) {
     double q[4], gain[4];
     std::copy(quat_(body), quat_(body) + 4, q);
-    const double rotation[3] = {missed[3], missed[4], missed[5]};
-    rodpack::half_product(rotation, q, gain);
+    rodpack::half_product(missed.rotation, q, gain);
     for (int d = 0; d < 4; ++d) q[d] += gain[d];
     rodpack::normalise(q);
     std::copy(q, q + 4, quat_(body));
   }
-  std::fill_n(missed, 12, 0.0);
+  missed = MissedMotion();
 }
 
 /// Tells the contacts of the changed bodies, for the next step, how the motion of each sphere has

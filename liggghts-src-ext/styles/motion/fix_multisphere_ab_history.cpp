@@ -34,7 +34,7 @@ void FixMultisphereAB::add_history() {
       "ab_evaluations", "comm_exchange_borders", "frame_invariant", "restart_yes");
   timestep_ = properties.addElementProperty<ScalarContainer<double> >(
       "ab_timestep", "comm_exchange_borders", "frame_invariant", "restart_yes");
-  missed_motion_ = properties.addElementProperty<VectorContainer<double, 12> >(
+  missed_motion_ = properties.addElementProperty<StoredMissedMotion>(
       "ab_missed_motion", "comm_exchange_borders", "frame_invariant", "restart_yes");
   missed_motion_->setDefaultValue(0.0);
   planar_load_ = properties.addElementProperty<VectorContainer<double, 3> >(

@@ -36,18 +36,19 @@ PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) 
       body_error(body, "run_style verlet/planar needs spheres of one type in a body");
     planar.spheres.push_back({arm[0], arm[1], atom->tag[i]});
   }
-  const double *x = xcm_(body), *v = vcm_(body), *missed = (*missed_motion_)(body);
+  const double *x = xcm_(body), *v = vcm_(body);
+  const MissedMotion& missed = missed_motion(body);
   for (int d = 0; d < 2; ++d) {
     planar.position[d] = x[d];
     planar.velocity[d] = v[d];
     planar.load[d] = fcm_(body)[d];
-    planar.missed_displacement[d] = missed[d];
-    planar.missed_velocity[d] = missed[6 + d];
+    planar.missed_displacement[d] = missed.displacement[d];
+    planar.missed_velocity[d] = missed.velocity[d];
   }
   planar.velocity[2] = omega_(body)[2];
   planar.load[2] = torque_(body)[2];
-  planar.missed_displacement[2] = missed[5];
-  planar.missed_velocity[2] = missed[11] / planar.moment;
+  planar.missed_displacement[2] = missed.rotation[2];
+  planar.missed_velocity[2] = missed.angular_momentum[2] / planar.moment;
   planar.evaluations = evaluations_->get(body);
   for (int k = 1; k < order_; ++k) planar.past[k - 1] = *planar_record(body, k);
   if (events_) read_jump(atoms, planar);
@@ -81,19 +82,20 @@ void FixMultisphereAB::begin_planar() {
 
 void FixMultisphereAB::from_planar(int body, const std::vector<int>& atoms,
                                    const PlanarBody& planar) {
-  double *x = xcm_(body), *v = vcm_(body), *missed = (*missed_motion_)(body);
+  double *x = xcm_(body), *v = vcm_(body);
+  MissedMotion& missed = missed_motion(body);
   for (int d = 0; d < 2; ++d) {
     x[d] = planar.position[d];
     v[d] = planar.velocity[d];
     fcm_(body)[d] = planar.load[d];
-    missed[d] = planar.missed_displacement[d];
-    missed[6 + d] = planar.missed_velocity[d];
+    missed.displacement[d] = planar.missed_displacement[d];
+    missed.velocity[d] = planar.missed_velocity[d];
   }
   omega_(body)[2] = planar.velocity[2];
   angmom_(body)[2] = planar.moment * planar.velocity[2];
   torque_(body)[2] = planar.load[2];
-  missed[5] = planar.missed_displacement[2];
-  missed[11] = planar.moment * planar.missed_velocity[2];
+  missed.rotation[2] = planar.missed_displacement[2];
+  missed.angular_momentum[2] = planar.moment * planar.missed_velocity[2];
   evaluations_->set(body, is_prescribed(body) ? 0 : planar.evaluations);
   if (planar.evaluations > 0) timestep_->set(body, update->dt);
   for (int k = 1; k < order_; ++k) *planar_record(body, k) = planar.past[k - 1];

@@ -58,7 +58,7 @@ void FixMultisphereAB::find_prescribed() {
 void FixMultisphereAB::prescribe(int body, int by) {
   prescribed_->set(body, by);
   evaluations_->set(body, 0);
-  std::fill_n((*missed_motion_)(body), 12, 0.0);
+  missed_motion(body) = MissedMotion();
 }
 
 void FixMultisphereAB::set_free(const FixMoveMultisphere* mover) {

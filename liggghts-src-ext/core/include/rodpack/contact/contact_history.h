@@ -69,19 +69,30 @@ constexpr int stored_history_values(int slots) {
   return stored_normal_values + stored_tangential_values(slots);
 }
 
-inline NormalHistory unpack_normal(const double* stored) {
+namespace detail {
+// The part of a normal history that a CapHistory stores too, three doubles: all but the step.
+inline NormalHistory unpack_force(const double* stored) {
   NormalHistory history;
   history.viscoelastic = stored[0];
   history.touch_rate = stored[1];
   history.just_touched = stored[2] != 0.0;
+  return history;
+}
+inline void pack_force(const NormalHistory& history, double* stored) {
+  stored[0] = history.viscoelastic;
+  stored[1] = history.touch_rate;
+  stored[2] = history.just_touched ? 1.0 : 0.0;
+}
+}  // namespace detail
+
+inline NormalHistory unpack_normal(const double* stored) {
+  NormalHistory history = detail::unpack_force(stored);
   history.next_step = static_cast<std::int64_t>(stored[3]);
   return history;
 }
 
 inline void pack(const NormalHistory& history, double* stored) {
-  stored[0] = history.viscoelastic;
-  stored[1] = history.touch_rate;
-  stored[2] = history.just_touched ? 1.0 : 0.0;
+  detail::pack_force(history, stored);
   stored[3] = static_cast<double>(history.next_step);
 }
 
@@ -115,9 +126,7 @@ inline void pack(const TangentialHistory& history, double* stored) {
 
 inline CapHistory unpack_cap(const double* stored) {
   CapHistory history;
-  history.normal.viscoelastic = stored[0];
-  history.normal.touch_rate = stored[1];
-  history.normal.just_touched = stored[2] != 0.0;
+  history.normal = detail::unpack_force(stored);
   history.stiffness = stored[3];
   history.damping = stored[4];
   history.earlier = stored[5];
@@ -126,9 +135,7 @@ inline CapHistory unpack_cap(const double* stored) {
 }
 
 inline void pack(const CapHistory& history, double* stored) {
-  stored[0] = history.normal.viscoelastic;
-  stored[1] = history.normal.touch_rate;
-  stored[2] = history.normal.just_touched ? 1.0 : 0.0;
+  detail::pack_force(history.normal, stored);
   stored[3] = history.stiffness;
   stored[4] = history.damping;
   stored[5] = history.earlier;
