@@ -52,8 +52,9 @@ void add_packing_options(CLI::App& command, Input& input) {
   auto& packing = input.packing;
   command
       .add_option("--walls", packing.walls,
-                  "x of the left and right wall and y of the floor, m [default: parameters.json, "
-                  "else the box bounds of the dump; a periodic direction has no walls]")
+                  "x of the left and right wall and y of the floor, m [default: dump scene, else "
+                  "parameters.json, else the box bounds of the dump; a periodic direction has no "
+                  "walls]")
       ->expected(3)
       ->check(place())
       ->type_name("LEFT RIGHT FLOOR");
@@ -77,8 +78,8 @@ void add_packing_options(CLI::App& command, Input& input) {
 void add_vertical(CLI::App& command, Input& input) {
   command
       .add_option("--vertical", input.space.vertical,
-                  "in space: the axis that points up [default: 'vertical_axis' of parameters.json; "
-                  "in a plane y]")
+                  "in space: the axis that points up [default: gravity of dump scene, else "
+                  "'vertical_axis' of parameters.json; in a plane y]")
       ->check(one_of({"x", "y", "z"}))
       ->type_name("AXIS");
 }
@@ -88,8 +89,8 @@ void add_space_options(CLI::App& command, Input& input) {
   auto& space = input.space;
   command
       .add_option("--container", space.container,
-                  "in space: walls of the container, whose top is open, m [default: 'container' of "
-                  "parameters.json, else the box bounds of the dump; a periodic direction has no "
+                  "in space: walls of the container, whose top is open, m [default: dump scene, else "
+                  "'container' of parameters.json, else the box bounds of the dump; a periodic direction has no "
                   "walls]")
       ->expected(6)
       ->check(place())
@@ -110,11 +111,21 @@ void add_output(CLI::App& command, std::string& stem) {
       ->type_name("STEM");
 }
 
+namespace {
+
+std::string lines_of_notes(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const auto& note : notes) text += "\nnote: " + note;
+  return text;
+}
+
+}  // namespace
+
 std::string describe(const Packing& packing) {
   return "walls: " + packing.walls.source + "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
          number_text((packing.surface - packing.walls.floor) / packing.particle_diameter, 4) +
-         " d_p high";
+         " d_p high" + lines_of_notes(packing.walls.notes);
 }
 
 std::string describe(const SpatialPacking& packing) {
@@ -124,7 +135,7 @@ std::string describe(const SpatialPacking& packing) {
          "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
          number_text((packing.surface - walls.low[up]) / packing.particle_diameter, 4) +
-         " d_p high";
+         " d_p high" + lines_of_notes(walls.notes);
 }
 
 }  // namespace rodpack::cli

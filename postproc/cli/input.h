@@ -44,7 +44,8 @@ void add_space_options(CLI::App& command, Input& input);
 /// Adds --output, the start of the names of the files to write.
 void add_output(CLI::App& command, std::string& stem);
 
-/// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal.
+/// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal, and a line
+/// for each wall of the scene that is no wall of the container.
 std::string describe(const Packing& packing);
 /// The same, with the vertical.
 std::string describe(const SpatialPacking& packing);

@@ -8,6 +8,7 @@
 
 #include "reading/number_text.h"
 #include "reading/run_folder.h"
+#include "reading/scene/run_scene.h"
 
 namespace rodpack {
 namespace {
@@ -108,9 +109,10 @@ RunFiles find_run_files(const std::string& run, const std::string& given) {
       throw DataError(files.bodies.file + ": the last frame holds no particles");
     require_one_run(run, files.body_files, files.bodies);
   }
-  if (!files.parameters)
+  if (!files.parameters && !find_scene(files.bodies))
     files.notes.push_back(
-        "times: no parameters.json with 'timestep_s' (--parameters), so that they are timesteps");
+        "times: no dump scene, nor parameters.json with 'timestep_s' (--parameters), so that they "
+        "are timesteps");
   find_spheres(run, has_own, files);
   files.own_parameters = has_own;
   return files;
