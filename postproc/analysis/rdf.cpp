@@ -111,12 +111,26 @@ void for_pairs(const Points& points, const std::vector<std::size_t>& centres, do
 
 // What of a packing G(r) looks at.
 struct FieldOfView {
-  double margin;  // of the region from walls and surface, m
-  bool reduced;   // it had to shrink
-  Rectangle region, window;
+  double margin;             // of the region from walls and surface, m
+  bool reduced;              // it had to shrink
+  double area;               // where the centres lie, of one period, m^2
+  Rectangle region, window;  // endless along a periodic direction
   Points points;
   std::vector<std::size_t> centres;
 };
+
+// Far enough beyond a period's ends that no ring is cut there.
+Rectangle without_ends(Rectangle rectangle, const Walls& walls, double reach) {
+  if (!walls.sides) {
+    rectangle.left -= 2 * reach;
+    rectangle.right += 2 * reach;
+  }
+  if (!walls.bottom) {
+    rectangle.bottom -= 2 * reach;
+    rectangle.top += 2 * reach;
+  }
+  return rectangle;
+}
 
 std::pair<double, bool> margin_of(const Packing& packing, const RdfOptions& options) {
   const auto& walls = packing.walls;
@@ -144,17 +158,21 @@ FieldOfView field_of_view(const Packing& packing, const RdfOptions& options) {
   if (!walls.bottom) require_short((walls.ceiling - walls.floor) / 2, "y");
 
   const auto [margin, reduced] = margin_of(packing, options);
-  const Rectangle region = inset_bed(packing, margin);
-  const Rectangle window = inset_bed(packing, std::min(packing.axial_length(), margin));
+  const Rectangle one_period = inset_bed(packing, margin);
+  const Rectangle region = without_ends(one_period, walls, reach);
+  const Rectangle window =
+      without_ends(inset_bed(packing, std::min(packing.axial_length(), margin)), walls, reach);
   Points points = points_inside(packing, window, region, reach);
   auto centres = points.centres();
-  if (centres.size() < 2 || region.right <= region.left || region.top <= region.bottom)
+  if (centres.size() < 2 || one_period.right <= one_period.left ||
+      one_period.top <= one_period.bottom)
     throw TooFewParticles("RDF: fewer than 2 particles lie further than " +
                           number_text(margin / d, 4) +
                           " d_p from the walls and from the surface of the bed, which is " +
                           number_text(walls.width() / d, 4) + " d_p wide and " +
                           number_text((packing.surface - walls.floor) / d, 4) + " d_p high");
-  return {margin, reduced, region, window, std::move(points), std::move(centres)};
+  return {margin, reduced,           one_period.area(), region,
+          window, std::move(points), std::move(centres)};
 }
 
 }  // namespace
@@ -164,24 +182,13 @@ RdfSample::RdfSample(const RdfOptions& options) : options_(options), sums_(optio
 void RdfSample::add(const Packing& packing) {
   const double bin = options_.bin_width * packing.particle_diameter;
   const auto bins = bins_of(options_);
-  auto [margin, reduced, region, window, points, centres] = field_of_view(packing, options_);
+  const auto [margin, reduced, area, region, window, points, centres] =
+      field_of_view(packing, options_);
   RdfFrame frame;
   frame.centres = centres.size();
-  frame.region = region.area();
+  frame.region = area;
   frame.margin = margin / packing.particle_diameter;
   frame.margin_reduced = reduced;
-  const double beyond = 2 * bin * static_cast<double>(bins);
-  for (auto* rectangle : {&region, &window}) {  // endless along a periodic direction
-    if (!packing.walls.sides) {
-      rectangle->left -= beyond;
-      rectangle->right += beyond;
-    }
-    if (!packing.walls.bottom) {
-      rectangle->bottom -= beyond;
-      rectangle->top += beyond;
-    }
-  }
-
   frame.pairs.assign(bins, 0);
   frame.variance.assign(bins, 0);
   const auto& is_centre = points.is_centre;
@@ -212,6 +219,20 @@ void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_
               visit({points.particle[i], points.particle[j], points.x[j] - points.x[i],
                      points.y[j] - points.y[i], points.is_centre[j]});
             });
+}
+
+double visit_rdf(const Packing& packing, const RdfOptions& options, const RdfVisitor& visitor) {
+  const double bin = options.bin_width * packing.particle_diameter;
+  const auto bins = bins_of(options);
+  const auto view = field_of_view(packing, options);
+  const auto& points = view.points;
+  for (const auto i : view.centres)
+    visitor.centre(points.particle[i],
+                   ring_areas(view.window, points.x[i], points.y[i], bin, bins));
+  for_pairs(points, view.centres, bin, bins, [&](std::size_t i, std::size_t j, std::size_t k) {
+    visitor.pair(points.particle[i], points.particle[j], k, points.is_centre[j]);
+  });
+  return view.area;
 }
 
 }  // namespace rodpack

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/energies.h"
+#include "analysis/orientation.h"
 #include "figures/force_chains_figure.h"
 #include "figures/render.h"
 #include "figures/vtk_export.h"
@@ -17,6 +18,7 @@
 #include "reading/run_folder.h"
 #include "reading/scene/run_scene.h"
 #include "report/measures.h"
+#include "report/mixture_measures.h"
 #include "report/run_files.h"
 #include "report/scene.h"
 #include "report/spatial_measures.h"
@@ -41,12 +43,13 @@ void remove_own_outputs(const fs::path& out) {
   for (const std::string table :
        {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination",
         "fields", "profile", "orientation_azimuth", "orientation_order", "rdf_axial",
-        "forces_fabric", "forces_fabric_order"})
+        "forces_fabric", "forces_fabric_order", "mixture", "rdf_partial"})
     fs::remove(out / (table + ".csv"), ignored);
   for (const std::string figure :
        {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
         "forces", "forces_friction", "forces_coordination", "forces_chains", "solid_fraction_map",
-        "pressure_map", "profile", "orientation_azimuth", "rdf_axial", "forces_fabric"})
+        "pressure_map", "profile", "orientation_azimuth", "rdf_axial", "forces_fabric",
+        "rdf_partial"})
     for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
   for (const std::string kind : {"bodies", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
@@ -76,6 +79,8 @@ int measure_bodies(const Frame& bodies, const Packing& packing, const fs::path& 
       ++made;
     } catch (const TooFewParticles& reason) {
       summary["notes"].push_back(reason.what());
+    } catch (const MixedParticles& reason) {
+      summary["notes"].push_back(std::string("orientation: ") + reason.what());
     }
   return made;
 }
@@ -182,6 +187,7 @@ class Analysis {
       ++made;
       draw_force_chains(contacts_.frame, options_.packing, (out_ / "forces_chains").string());
     }
+    report_mixture(packing, files_.bodies, contacts_, out_, summary_);
     const bool stressed =
         contacts_.frame.rows > 0 && contacts_.frame.timestep == files_.bodies.timestep;
     try {
@@ -207,6 +213,7 @@ class Analysis {
     put_setting(walls.source, packing.particle_diameter, packing.aspect_ratio);
     start_notes(walls.source, walls.notes, "--container or --cylinder");
     require_any(report_in_space(packing, files_.bodies, contacts_, out_, summary_));
+    report_mixture(packing, files_.bodies, contacts_, out_, summary_);
   }
 
   void refuse_of_space() const {
