@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/input.h"
 
+#include "analysis/stock/stock_dumps.h"
 #include "cli/checks.h"
 #include "reading/checks/frame_pool.h"
 #include "reading/number_text.h"
 
 namespace rodpack::cli {
 
+namespace {
+
+// The frame as this kind of dump has it.
+Frame of_kind(const Frame& frame, const std::string& kind) {
+  if (kind == "bodies") return as_bodies(frame);
+  if (kind == "contacts") require_contact_dump(frame);
+  return frame;
+}
+
+}  // namespace
+
 void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
   const auto files = find_dumps(patterns);
-  if (!all_frames) return visit(last_frame(files));
+  if (!all_frames) return visit(of_kind(last_frame(files), kind));
   FramePool pool;
   bool any = false;
-  for_each_frame(files, [&](const Frame& frame) {
+  for_each_frame(files, [&](const Frame& read) {
+    const auto frame = of_kind(read, kind);
     if (!pool.take(frame)) return;
     any = true;
     visit(frame);
@@ -22,7 +35,7 @@ void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
 }
 
 bool Input::is_in_space() const {
-  const auto frame = last_frame(find_dumps(patterns));
+  const auto frame = of_kind(last_frame(find_dumps(patterns)), kind);
   const bool result = rodpack::is_in_space(frame, packing, space);
   const auto refuse = [](const std::string& option, const std::string& scene) {
     throw CLI::ValidationError(option, "expected in a scene " + scene + " alone");
@@ -34,6 +47,7 @@ bool Input::is_in_space() const {
 }
 
 void add_files(CLI::App& command, Input& input, const std::string& kind) {
+  input.kind = kind;
   command
       .add_option("dumps", input.patterns,
                   "dump files of " + kind +
@@ -88,10 +102,12 @@ void add_space_options(CLI::App& command, Input& input) {
   add_vertical(command, input);
   auto& space = input.space;
   command
-      .add_option("--container", space.container,
-                  "in space: walls of the container, whose top is open, m [default: dump scene, else "
-                  "'container' of parameters.json, else the box bounds of the dump; a periodic direction has no "
-                  "walls]")
+      .add_option(
+          "--container", space.container,
+          "in space: walls of the container, whose top is open, m [default: dump scene, else "
+          "'container' of parameters.json, else the box bounds of the dump; a periodic direction "
+          "has no "
+          "walls]")
       ->expected(6)
       ->check(place())
       ->type_name("XLO XHI YLO YHI ZLO ZHI");

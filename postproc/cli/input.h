@@ -16,12 +16,14 @@ namespace rodpack::cli {
 /// Dumps to read, common to the measuring subcommands.
 struct Input {
   std::vector<std::string> patterns;
+  std::string kind;  // "bodies", "contacts", "spheres"
   bool all_frames = false;
   PackingOptions packing;
   SpaceOptions space;
 
   /// Calls `visit` with the last frame, or with every frame that FramePool takes if the user asks
-  /// for all. @throws DataError when it takes none.
+  /// for all. Stock dumps are read as bodies where they carry enough. @throws DataError when it
+  /// takes none, as as_bodies() and require_contact_dump().
   void for_frames(const std::function<void(const Frame&)>& visit) const;
   /// Whether the last frame shows a scene in space. @throws DataError as rodpack::is_in_space(),
   /// CLI::ValidationError for walls of the other kind of scene.

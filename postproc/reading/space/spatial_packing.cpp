@@ -112,6 +112,16 @@ SpatialWalls find_spatial_walls(const Frame& bodies, SpaceOptions space,
   return walls;
 }
 
+// What a body adds to its layer, of whose contents only ratios matter: mass serves as volume does,
+// and so does length times cross-section where a dump of spheres has told the bodies.
+std::vector<double> weights(const Frame& bodies) {
+  if (bodies.has("mass")) return bodies.column("mass");
+  auto weight = bodies.column("half_length");
+  const auto& radius = bodies.column("radius");
+  for (std::size_t row = 0; row < weight.size(); ++row) weight[row] *= radius[row] * radius[row];
+  return weight;
+}
+
 // A container narrower than a sphere, or a period in which a particle would touch itself.
 void require_room(const SpatialPacking& packing) {
   const auto& walls = packing.walls;
@@ -159,9 +169,10 @@ bool is_in_space(const Frame& bodies, const PackingOptions& options, const Space
   if (vertical.value_or(y) != y) return true;
   const auto reason = why_bodies_not_planar(bodies, sphere_diameter(bodies, options));
   if (!reason.empty() && !vertical)
-    throw DataError(reason +
-                    "; a scene in space needs --vertical, or 'vertical_axis' in parameters.json, "
-                    "the axis that points up, or a 'dump scene' in the deck, with gravity along it");
+    throw DataError(
+        reason +
+        "; a scene in space needs --vertical, or 'vertical_axis' in parameters.json, "
+        "the axis that points up, or a 'dump scene' in the deck, with gravity along it");
   return !reason.empty();
 }
 
@@ -194,9 +205,8 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
   packing.surface = walls.high[*vertical];
   if (!walls.periodic[*vertical]) {
     const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
-    // Only ratios of the layers' contents matter: mass serves as volume does.
     packing.surface =
-        bed_surface(*place[*vertical], bodies.column("mass"), walls.low[*vertical], 1.0, layer);
+        bed_surface(*place[*vertical], weights(bodies), walls.low[*vertical], 1, layer);
   }
   return packing;
 }
