@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "domain.h"
+#include "dump_files.h"
 #include "fix_gravity.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_global.h"
@@ -18,7 +19,6 @@
 #include "modify.h"
 #include "run_files.h"
 #include "stop_run.h"
-#include "table_dump.h"
 #include "tri_mesh.h"
 #include "update.h"
 #include "wall_shape.h"
