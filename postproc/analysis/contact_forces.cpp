@@ -9,7 +9,6 @@
 
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
-#include "reading/parameters.h"
 
 namespace rodpack {
 namespace {
@@ -208,19 +207,6 @@ ContactForces measure_contact_forces(const Frame& contacts, const Frame* bodies,
   ContactForceSample sample(options);
   sample.add(contacts, bodies);
   return sample.result();
-}
-
-std::optional<double> find_friction(const std::string& dump, const std::string& parameters,
-                                    std::optional<double> given) {
-  if (given) return given;
-  const auto found = find_parameters(dump, parameters);
-  if (!found || !found->values.contains("friction")) return std::nullopt;
-  const double mu = found->number("friction");
-  if (mu < 0)
-    throw DataError(found->file + ": key 'friction': expected a value of at least 0, found " +
-                    number_text(mu));
-  if (mu == 0) return std::nullopt;
-  return mu;
 }
 
 void write_contact_force_tables(const ContactForces& forces, const std::string& stem) {

@@ -95,12 +95,6 @@ class ContactForceSample {
 ContactForces measure_contact_forces(const Frame& contacts, const Frame* bodies,
                                      const ContactForceOptions& options);
 
-/// Returns mu: `given`, else `friction` of parameters.json (at `parameters`, or looked for beside
-/// the dump and one folder up); none if that is missing or 0. @throws DataError when it is
-/// negative.
-std::optional<double> find_friction(const std::string& dump, const std::string& parameters,
-                                    std::optional<double> given);
-
 /// Writes CSV tables: `stem`.csv with the columns f_over_mean, then count, density and standard
 /// error of the normal and of the tangential force; `stem`_friction.csv if mu is known;
 /// `stem`_coordination.csv.

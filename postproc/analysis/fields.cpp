@@ -44,7 +44,8 @@ Grid field_grid(const Packing& packing, const FieldOptions& options) {
   const double scale = averaging_scale(packing, options);
   const auto& walls = packing.walls;
   // Above the surface there is nothing where the kernel counts what is below it alone.
-  const double above = options.normalisation == Normalisation::walls_and_surface ? 0 : scale;
+  const bool closed = options.normalisation == Normalisation::walls_and_surface || !walls.bottom;
+  const double above = closed ? 0 : scale;
   const auto window = options.window.value_or(
       std::array<double, 4>{walls.left, walls.right, walls.floor, packing.surface + above});
   if (window[0] > walls.right || window[1] < walls.left || window[3] < walls.floor)
@@ -70,8 +71,10 @@ Rectangle counted_space(const Packing& packing, Normalisation normalisation) {
     space.left = walls.left;
     space.right = walls.right;
   }
-  if (walls.bottom) space.bottom = walls.floor;
-  if (normalisation == Normalisation::walls_and_surface) space.top = packing.surface;
+  if (walls.bottom) {
+    space.bottom = walls.floor;
+    if (normalisation == Normalisation::walls_and_surface) space.top = packing.surface;
+  }
   return space;
 }
 
@@ -106,6 +109,7 @@ CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptio
   averaging.line = LineRule::named(options.line, options.tolerance);
   averaging.couple_stress = options.couple_stress;
   if (!packing.walls.sides) averaging.period[0] = packing.walls.width();
+  if (!packing.walls.bottom) averaging.period[1] = packing.walls.ceiling - packing.walls.floor;
   return averaging;
 }
 

@@ -68,7 +68,7 @@ void OrientationSample::add(const Packing& packing) {
     }
     const bool curved = packing.curvature[i] > 0;
     if (curved_.value_or(curved) != curved)
-      throw DataError(
+      throw MixedParticles(
           "straight and curved particles are mixed: their gamma have different ranges (180 and 360 "
           "degrees); dump them into files of their own");
     curved_ = curved;

@@ -49,11 +49,16 @@ struct OrientationDistribution {
   SixfoldOrder sixfold{};
 };
 
+/// Straight and curved particles are mixed, whose gamma have different ranges.
+class MixedParticles : public DataError {
+ public:
+  using DataError::DataError;
+};
+
 /// Collects particles over one or several frames.
 class OrientationSample {
  public:
-  /// Adds the particles of a frame. @throws DataError when straight and curved particles are mixed:
-  /// their ranges differ.
+  /// Adds the particles of a frame. @throws MixedParticles when straight and curved ones are mixed.
   void add(const Packing& packing);
   /// Returns the distribution over so many `bins` of the whole range; without a number, over bins 5
   /// degrees wide. @throws TooFewParticles when no particle is left to count.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/edges/undisturbed.h"
 #include "reading/csv_file.h"
@@ -10,7 +11,18 @@
 
 namespace rodpack {
 namespace {
-constexpr int slice_columns = 8;  // midpoints across the slice, far closer than w
+constexpr int slice_columns = 8;  // midpoints across a slice of 2 AR d_p, far closer than w
+
+// The columns of a packing's slice: their number and the width of one, m. A periodic bed has no
+// middle: its slice is the whole period.
+std::pair<int, double> columns_of_slice(const Packing& packing, double scale) {
+  const double width = 2 * packing.axial_length();
+  if (packing.walls.sides) return {slice_columns, width / slice_columns};
+  const double period = packing.walls.width();
+  const double most = std::min(width / slice_columns, scale / 4);
+  const int count = static_cast<int>(std::ceil(period / most - 1e-9));
+  return {count, period / count};
+}
 }
 
 void ProfileSample::add(const Packing& packing, const Frame& bodies, const Frame& contacts) {
@@ -18,14 +30,16 @@ void ProfileSample::add(const Packing& packing, const Frame& bodies, const Frame
     packing_ = packing;
     const auto& walls = packing.walls;
     const double height = packing.surface - walls.floor;
+    if (!walls.bottom) throw TooFewParticles("profile: expected a floor, found y periodic");
     if (!(height > 0)) throw TooFewParticles("profile: there is no bed above the floor");
-    const double width = 2 * packing.axial_length();
-    const double column = width / slice_columns;
+    const double scale = averaging_scale(packing, options_);
+    const auto [columns, column] = columns_of_slice(packing, scale);
+    const double width = columns * column;
     const double left = (walls.left + walls.right - width + column) / 2;
     Grid grid =
         filling_grid(2, {{left, walls.floor, 0}}, {{left + width - column, packing.surface, 0}},
-                     options_.spacing.value_or(averaging_scale(packing, options_) / 4));
-    grid.count[0] = slice_columns;
+                     options_.spacing.value_or(scale / 4));
+    grid.count[0] = columns;
     grid.spacing[0] = column;
     averages_ =
         std::make_unique<CoarseGraining>(averaging_kernel(packing, options_), checked_grid(grid),
@@ -42,13 +56,14 @@ PressureProfile ProfileSample::result() const {
     normalise_by_share(*averages_, counted_space(packing_, options_.normalisation), fields);
   const Grid& grid = *averages_->grid();
   const auto rows = static_cast<std::size_t>(grid.count[1]);
+  const auto columns = static_cast<std::size_t>(grid.count[0]);
   // From the top down, the mean over the slice.
   const auto mean = [&](const std::vector<double>& values) {
     std::vector<double> result;
     for (std::size_t row = rows; row-- > 0;) {
       double sum = 0;
-      for (std::size_t i = 0; i < slice_columns; ++i) sum += values[row * slice_columns + i];
-      result.push_back(sum / slice_columns);
+      for (std::size_t i = 0; i < columns; ++i) sum += values[row * columns + i];
+      result.push_back(sum / static_cast<double>(columns));
     }
     return result;
   };
@@ -61,7 +76,7 @@ PressureProfile ProfileSample::result() const {
   const auto heights = undisturbed_heights(packing_, profile.reach, options_.normalisation);
   profile.undisturbed = {packing_.surface - heights[1], packing_.surface - heights[0]};
   for (std::size_t row = rows; row-- > 0;)
-    profile.depth.push_back(packing_.surface - grid.place(row * slice_columns)[1]);
+    profile.depth.push_back(packing_.surface - grid.place(row * columns)[1]);
   const auto& stress = field_named(fields, "contact_stress").values;
   profile.xx = mean(stress[0]);
   profile.xy = mean(stress[1]);

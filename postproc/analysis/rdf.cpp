@@ -2,7 +2,9 @@
 #include "analysis/rdf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <nanoflann.hpp>
 
 #include "reading/number_text.h"
@@ -35,31 +37,40 @@ struct Points {
 // The bed without a strip along its walls and its surface. A periodic direction has no strip.
 Rectangle inset_bed(const Packing& packing, double strip) {
   const auto& walls = packing.walls;
-  const double side = walls.sides ? strip : 0;
-  return {walls.left + side, walls.right - side, walls.floor + (walls.bottom ? strip : 0),
-          packing.surface - strip};
+  const double side = walls.sides ? strip : 0, end = walls.bottom ? strip : 0;
+  return {walls.left + side, walls.right - side, walls.floor + end, packing.surface - end};
 }
 
-// Particles inside the window, where neighbours count; those inside the region are centres. In a
-// packing that is periodic in x with the images that a centre can see within `reach`.
+// Adds the images of each place by a period along x (0) or y (1) that a centre between `low` and
+// `high` can see within `reach`.
+void add_images(std::vector<std::array<double, 2>>& places, std::size_t axis, double low,
+                double high, double reach) {
+  for (std::size_t k = places.size(); k-- > 0;)
+    for (const double shift : {high - low, low - high}) {
+      auto image = places[k];
+      image[axis] += shift;
+      if (image[axis] > low - reach && image[axis] < high + reach) places.push_back(image);
+    }
+}
+
+// Particles inside the window, where neighbours count; those inside the region are centres. Along
+// a periodic direction with the images that a centre can see within `reach`.
 Points points_inside(const Packing& packing, const Rectangle& window, const Rectangle& region,
                      double reach) {
   const auto& walls = packing.walls;
   Points points;
   for (std::size_t i = 0; i < packing.size(); ++i) {
     if (!window.contains(packing.x[i], packing.y[i])) continue;
+    std::vector<std::array<double, 2>> places{{packing.x[i], packing.y[i]}};
+    if (!walls.sides) add_images(places, 0, walls.left, walls.right, reach);
+    if (!walls.bottom) add_images(places, 1, walls.floor, walls.ceiling, reach);
     const bool is_centre = region.contains(packing.x[i], packing.y[i]);
-    const auto add_point = [&](double x, bool is_original) {
-      points.x.push_back(x);
-      points.y.push_back(packing.y[i]);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      points.x.push_back(places[k][0]);
+      points.y.push_back(places[k][1]);
       points.particle.push_back(i);
       points.is_centre.push_back(is_centre);
-      points.is_original.push_back(is_original);
-    };
-    add_point(packing.x[i], true);
-    if (!walls.sides) {
-      if (packing.x[i] < walls.left + reach) add_point(packing.x[i] + walls.width(), false);
-      if (packing.x[i] > walls.right - reach) add_point(packing.x[i] - walls.width(), false);
+      points.is_original.push_back(k == 0);
     }
   }
   return points;
@@ -100,18 +111,34 @@ void for_pairs(const Points& points, const std::vector<std::size_t>& centres, do
 
 // What of a packing G(r) looks at.
 struct FieldOfView {
-  double margin;  // of the region from walls and surface, m
-  bool reduced;   // it had to shrink
-  Rectangle region, window;
+  double margin;             // of the region from walls and surface, m
+  bool reduced;              // it had to shrink
+  double area;               // where the centres lie, of one period, m^2
+  Rectangle region, window;  // endless along a periodic direction
   Points points;
   std::vector<std::size_t> centres;
 };
 
+// Far enough beyond a period's ends that no ring is cut there.
+Rectangle without_ends(Rectangle rectangle, const Walls& walls, double reach) {
+  if (!walls.sides) {
+    rectangle.left -= 2 * reach;
+    rectangle.right += 2 * reach;
+  }
+  if (!walls.bottom) {
+    rectangle.bottom -= 2 * reach;
+    rectangle.top += 2 * reach;
+  }
+  return rectangle;
+}
+
 std::pair<double, bool> margin_of(const Packing& packing, const RdfOptions& options) {
   const auto& walls = packing.walls;
+  if (!walls.sides && !walls.bottom) return {0, false};
   if (options.margin >= 0) return {options.margin * packing.particle_diameter, false};
   const double margin = (10 + packing.aspect_ratio) * packing.particle_diameter;
-  double extent = packing.surface - walls.floor;
+  double extent = std::numeric_limits<double>::infinity();
+  if (walls.bottom) extent = packing.surface - walls.floor;
   if (walls.sides) extent = std::min(extent, walls.width());
   return {std::min(margin, extent / 3), margin > extent / 3};
 }
@@ -120,23 +147,32 @@ FieldOfView field_of_view(const Packing& packing, const RdfOptions& options) {
   const double d = packing.particle_diameter;
   const auto& walls = packing.walls;
   const double reach = options.bin_width * d * static_cast<double>(bins_of(options));
-  if (!walls.sides && reach > walls.width() / 2)
-    throw DataError("the largest distance, " + number_text(reach / d, 4) +
-                    " d_p, exceeds half of the period in x, " +
-                    number_text(walls.width() / 2 / d, 4) + " d_p");
+  const auto require_short = [&](double half, const char* axis) {
+    // A period of exactly 20 d_p has room for 10 d_p, rounded as it may be.
+    if (reach > half * (1 + 1e-9))
+      throw DataError("the largest distance, " + number_text(reach / d, 4) +
+                      " d_p, exceeds half of the period in " + axis + ", " +
+                      number_text(half / d, 4) + " d_p");
+  };
+  if (!walls.sides) require_short(walls.width() / 2, "x");
+  if (!walls.bottom) require_short((walls.ceiling - walls.floor) / 2, "y");
 
   const auto [margin, reduced] = margin_of(packing, options);
-  const Rectangle region = inset_bed(packing, margin);
-  const Rectangle window = inset_bed(packing, std::min(packing.axial_length(), margin));
+  const Rectangle one_period = inset_bed(packing, margin);
+  const Rectangle region = without_ends(one_period, walls, reach);
+  const Rectangle window =
+      without_ends(inset_bed(packing, std::min(packing.axial_length(), margin)), walls, reach);
   Points points = points_inside(packing, window, region, reach);
   auto centres = points.centres();
-  if (centres.size() < 2 || region.right <= region.left || region.top <= region.bottom)
+  if (centres.size() < 2 || one_period.right <= one_period.left ||
+      one_period.top <= one_period.bottom)
     throw TooFewParticles("RDF: fewer than 2 particles lie further than " +
                           number_text(margin / d, 4) +
                           " d_p from the walls and from the surface of the bed, which is " +
                           number_text(walls.width() / d, 4) + " d_p wide and " +
                           number_text((packing.surface - walls.floor) / d, 4) + " d_p high");
-  return {margin, reduced, region, window, std::move(points), std::move(centres)};
+  return {margin, reduced,           one_period.area(), region,
+          window, std::move(points), std::move(centres)};
 }
 
 }  // namespace
@@ -146,18 +182,13 @@ RdfSample::RdfSample(const RdfOptions& options) : options_(options), sums_(optio
 void RdfSample::add(const Packing& packing) {
   const double bin = options_.bin_width * packing.particle_diameter;
   const auto bins = bins_of(options_);
-  auto [margin, reduced, region, window, points, centres] = field_of_view(packing, options_);
+  const auto [margin, reduced, area, region, window, points, centres] =
+      field_of_view(packing, options_);
   RdfFrame frame;
   frame.centres = centres.size();
-  frame.region = region.area();
+  frame.region = area;
   frame.margin = margin / packing.particle_diameter;
   frame.margin_reduced = reduced;
-  if (!packing.walls.sides)  // endless in x
-    for (auto* rectangle : {&region, &window}) {
-      rectangle->left -= 2 * bin * static_cast<double>(bins);
-      rectangle->right += 2 * bin * static_cast<double>(bins);
-    }
-
   frame.pairs.assign(bins, 0);
   frame.variance.assign(bins, 0);
   const auto& is_centre = points.is_centre;
@@ -188,6 +219,20 @@ void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_
               visit({points.particle[i], points.particle[j], points.x[j] - points.x[i],
                      points.y[j] - points.y[i], points.is_centre[j]});
             });
+}
+
+double visit_rdf(const Packing& packing, const RdfOptions& options, const RdfVisitor& visitor) {
+  const double bin = options.bin_width * packing.particle_diameter;
+  const auto bins = bins_of(options);
+  const auto view = field_of_view(packing, options);
+  const auto& points = view.points;
+  for (const auto i : view.centres)
+    visitor.centre(points.particle[i],
+                   ring_areas(view.window, points.x[i], points.y[i], bin, bins));
+  for_pairs(points, view.centres, bin, bins, [&](std::size_t i, std::size_t j, std::size_t k) {
+    visitor.pair(points.particle[i], points.particle[j], k, points.is_centre[j]);
+  });
+  return view.area;
 }
 
 }  // namespace rodpack

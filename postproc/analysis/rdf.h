@@ -16,7 +16,8 @@ namespace rodpack {
 /// and `margin_reduced` says so. Neighbours count wherever they are, up to AR d_p (or the margin,
 /// if smaller) from walls and surface, where the layering along the walls begins; 2 pi r dr is the
 /// part of the ring inside that window, so that G tends to 1 for every r. With r <= 10 d_p and the
-/// full margin every ring is complete.
+/// full margin every ring is complete. A periodic direction has no margin, and none of them is left
+/// where both are.
 ///
 /// The standard error holds for independent particles, an upper bound at large r for dense
 /// packings, whose density fluctuates less: the number of distinct pairs, and the scatter of rho,
@@ -45,6 +46,10 @@ struct RdfPair {
 /// @throws TooFewParticles, DataError as RdfSample::add().
 void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_t first,
                    std::size_t last, const std::function<void(const RdfPair&)>& visit);
+
+/// Calls `visitor` with every centre and every pair that RdfSample counts. Returns the area in
+/// which the centres lie, m^2. @throws TooFewParticles, DataError as RdfSample::add().
+double visit_rdf(const Packing& packing, const RdfOptions& options, const RdfVisitor& visitor);
 
 }  // namespace rodpack
 

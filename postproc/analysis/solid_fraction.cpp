@@ -51,7 +51,8 @@ double normalised_mean(const Packing& packing, double left, double width, double
 
 SolidFraction solid_fraction(const Packing& packing) {
   const auto& walls = packing.walls;
-  const double width = 2 * packing.axial_length();
+  // A periodic bed has no middle: its slice is the whole period.
+  const double width = walls.sides ? 2 * packing.axial_length() : walls.width();
   const double left = (walls.left + walls.right - width) / 2;
   SolidFraction field;
   field.scale = 3 * packing.axial_length();
@@ -63,24 +64,33 @@ SolidFraction solid_fraction(const Packing& packing) {
   std::vector<double> share(packing.size());
   for (std::size_t i = 0; i < packing.size(); ++i) {
     const double x = packing.x[i] - left;
-    share[i] = packing.area[i] * gaussian_integral(-x, width - x, field.scale) / width;
-    if (!walls.sides)
-      for (const double image : {x - walls.width(), x + walls.width()})
-        share[i] += packing.area[i] * gaussian_integral(-image, width - image, field.scale) / width;
+    const double inside = walls.sides ? gaussian_integral(-x, width - x, field.scale) : 1;
+    share[i] = packing.area[i] * inside / width;
+  }
+  // Images above and below, as far as the kernel counts.
+  std::vector<double> shifts{0};
+  if (!walls.bottom) {
+    const double period = walls.ceiling - walls.floor;
+    const int most = 1 + static_cast<int>(std::ceil(8 * field.scale / period));
+    for (int k = 1; k <= most; ++k) shifts.insert(shifts.end(), {-k * period, k * period});
   }
 
   const auto mean = [&](double from, double to) -> std::optional<double> {
     if (to <= from) return std::nullopt;
     double sum = 0;
-    for (std::size_t i = 0; i < packing.size(); ++i)
-      sum += share[i] * gaussian_integral(from - packing.y[i], to - packing.y[i], field.scale);
+    for (const double shift : shifts)
+      for (std::size_t i = 0; i < packing.size(); ++i) {
+        const double y = packing.y[i] + shift;
+        sum += share[i] * gaussian_integral(from - y, to - y, field.scale);
+      }
     return sum / (to - from);
   };
   field.up_to_surface = mean(field.lowest, field.surface);
-  field.up_to_3_scales_below = mean(field.lowest, field.surface - 3 * field.scale);
+  field.up_to_3_scales_below =
+      mean(field.lowest, field.surface - (walls.bottom ? 3 * field.scale : 0));
 
   const auto normalised = [&](double from) -> std::optional<double> {
-    if (packing.surface <= from) return std::nullopt;
+    if (packing.surface <= from || !walls.bottom) return std::nullopt;
     return normalised_mean(packing, left, width, from, field.scale, share);
   };
   field.normalised_up_to_surface = normalised(field.lowest);
@@ -95,8 +105,9 @@ SolidFraction solid_fraction(const Packing& packing) {
   for (int k = 0; k <= points; ++k) {
     const double y = walls.floor + height * k / points;
     double phi = 0;
-    for (std::size_t i = 0; i < packing.size(); ++i)
-      phi += share[i] * gaussian(y - packing.y[i], field.scale);
+    for (const double shift : shifts)
+      for (std::size_t i = 0; i < packing.size(); ++i)
+        phi += share[i] * gaussian(y - packing.y[i] - shift, field.scale);
     field.height.push_back(y - walls.floor);
     field.phi.push_back(phi);
   }

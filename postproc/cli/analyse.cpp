@@ -31,7 +31,8 @@ void add_analyse(CLI::App& app) {
       "reads parameters.json, dumps/ and energies.csv there; writes results/quick/analysis/.\n"
       "  rodpack analyse mine --vertical z --cylinder 0 0 0.05\n"
       "reads mine/bodies.*.dump, spheres.*.dump and contacts.*.dump of a deck of one's own, there\n"
-      "or in mine/dumps/; the bodies are enough.");
+      "or in mine/dumps/; the bodies are enough. scene.*.json (dump scene) says the rest: walls,\n"
+      "gravity, friction, length of a time step.");
   command->add_option("run_folder", options->folder, "folder that a simulation wrote")
       ->required()
       ->check(some_name())
@@ -42,8 +43,8 @@ void add_analyse(CLI::App& app) {
   add_space_options(*command, options->input);
   command
       ->add_option("--friction", options->friction,
-                   "friction coefficient mu [default: parameters.json; unknown: no mobilised "
-                   "friction]")
+                   "friction coefficient mu [default: dump scene, else parameters.json; unknown: no "
+                   "mobilised friction]")
       ->check(positive_number(1000))
       ->type_name("MU");
   command->callback([options] {

@@ -5,6 +5,7 @@
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "figures/vtk_export.h"
+#include "reading/scene/run_scene.h"
 #include "reading/parameters.h"
 
 namespace rodpack::cli {
@@ -35,8 +36,8 @@ void add_export(CLI::App& app) {
   command
       ->add_option(
           "--timestep", options->timestep,
-          "length of a timestep, s [default: parameters.json beside the dump or one folder "
-          "up; unknown: the index counts timesteps]")
+          "length of a timestep, s [default: dump scene or parameters.json beside the dump or "
+          "one folder up; unknown: the index counts timesteps]")
       ->check(positive_number(1e6))
       ->type_name("S");
   command->add_option("-o,--output", options->folder, "folder to write to")
@@ -47,9 +48,9 @@ void add_export(CLI::App& app) {
   command->callback([options] {
     const auto files = find_dumps(options->patterns);
     double timestep = options->timestep;
-    const auto parameters = find_parameters(files.front(), "");
-    if (timestep == 0 && parameters && parameters->values.contains("timestep_s"))
-      timestep = parameters->number("timestep_s");
+    Frame first;
+    if (timestep == 0 && DumpReader(files.front()).next(first))
+      timestep = find_timestep(first, "").value_or(0);
     const auto written = export_vtk(files, options->folder, timestep);
     std::cout << "written: " << written.size() << " files in " << options->folder << '\n';
   });

@@ -5,6 +5,7 @@
 
 #include "cli/checks.h"
 #include "reading/number_text.h"
+#include "reading/scene/run_scene.h"
 
 namespace rodpack::cli {
 namespace {
@@ -19,9 +20,7 @@ std::string contacts_beside(const std::string& bodies) {
 }
 
 double time_of(const Frame& frame, const PackingOptions& options) {
-  const auto parameters = find_parameters(frame.file, options.parameters);
-  const bool known = parameters && parameters->values.contains("timestep_s");
-  return static_cast<double>(frame.timestep) * (known ? parameters->number("timestep_s") : 1.0);
+  return static_cast<double>(frame.timestep) * find_timestep(frame, options.parameters).value_or(1);
 }
 
 // The fields' options, with the window of the command line.

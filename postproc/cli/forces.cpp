@@ -17,6 +17,7 @@
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/packing.h"
+#include "reading/scene/run_scene.h"
 
 namespace rodpack::cli {
 namespace {
@@ -28,7 +29,7 @@ struct ForcesArguments {
   std::string stem = "forces";
 };
 
-void report(const ContactForces& forces, std::ostream& out) {
+void report(const ContactForces& forces, const FrictionFound& mu, std::ostream& out) {
   out << forces.carrying << " contacts; left out: " << forces.not_carrying
       << " without normal force, " << forces.at_walls << " with walls\n"
       << "mean normal force " << number_text(forces.normal.mean, 4) << " N, tangential "
@@ -38,7 +39,7 @@ void report(const ContactForces& forces, std::ostream& out) {
         << number_text(friction->sliding_fraction, 4)
         << " of the contacts; mu = " << number_text(friction->coefficient, 4) << '\n';
   else
-    out << "mobilised friction is left out: no --friction, nor a positive one in parameters.json\n";
+    out << mu.missing << '\n';
   const auto& coordination = forces.coordination;
   out << coordination.particles << " particles touch "
       << number_text(coordination.touching_particles, 4) << " others each, with "
@@ -64,7 +65,7 @@ void report_fabric(const Fabric& fabric) {
 // The axis that points up, where the contacts are to be measured in space.
 std::optional<std::size_t> vertical_in_space(const Input& input, const Frame& contacts,
                                              bool planar) {
-  const auto vertical = find_vertical(contacts.file, input.packing.parameters, input.space);
+  const auto vertical = find_vertical(contacts, input.packing.parameters, input.space);
   constexpr std::size_t y = 1;
   if (planar && vertical.value_or(y) == y) return std::nullopt;
   return vertical;
@@ -77,7 +78,9 @@ void measure(const ForcesArguments& options) {
   std::vector<std::string> body_files;
   if (!options.bodies.empty()) body_files = find_dumps(options.bodies);
   auto settings = options.forces;
-  settings.friction = find_friction(files.back(), input.packing.parameters, settings.friction);
+  const auto friction =
+      find_friction(last_frame(files), input.packing.parameters, settings.friction);
+  settings.friction = friction.coefficient;
   ContactForceSample sample(settings);
   Frame last;
   input.for_frames([&](const Frame& frame) {
@@ -102,11 +105,11 @@ void measure(const ForcesArguments& options) {
     plot_fabric(*fabric, stem + "_fabric");
   }
   if (not_planar.empty()) draw_force_chains(last, packing, stem + "_chains");
-  report(forces, std::cout);
+  report(forces, friction, std::cout);
   if (fabric)
     report_fabric(*fabric);
   else if (!not_planar.empty())
-    std::cout << "the fabric is left out: no --vertical, nor 'vertical_axis' in parameters.json\n";
+    std::cout << "the fabric is left out: no --vertical, dump scene or 'vertical_axis' in parameters.json\n";
   std::cout << input.passed_over_line();
   if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
   std::cout << "written: " << stem << ".csv .png .svg, ";
@@ -151,8 +154,8 @@ void add_forces(CLI::App& app) {
       ->type_name("DF");
   command
       ->add_option("--friction", options->forces.friction,
-                   "friction coefficient mu [default: parameters.json; unknown: no mobilised "
-                   "friction]")
+                   "friction coefficient mu [default: the scene, parameters.json; unknown: no "
+                   "mobilised friction]")
       ->check(positive_number(1000))
       ->type_name("MU");
   command->add_flag("--walls-too", options->forces.walls_too,

@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/input.h"
 
+#include "analysis/stock/stock_dumps.h"
 #include "cli/checks.h"
 #include "reading/checks/frame_pool.h"
 #include "reading/number_text.h"
 
 namespace rodpack::cli {
 
+namespace {
+
+// The frame as this kind of dump has it.
+Frame of_kind(const Frame& frame, const std::string& kind) {
+  if (kind == "bodies") return as_bodies(frame);
+  if (kind == "contacts") require_contact_dump(frame);
+  return frame;
+}
+
+}  // namespace
+
 void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
   const auto files = find_dumps(patterns);
-  if (!all_frames) return visit(last_frame(files));
+  if (!all_frames) return visit(of_kind(last_frame(files), kind));
   FramePool pool;
   bool any = false;
-  for_each_frame(files, [&](const Frame& frame) {
+  for_each_frame(files, [&](const Frame& read) {
+    const auto frame = of_kind(read, kind);
     if (!pool.take(frame)) return;
     any = true;
     visit(frame);
@@ -22,7 +35,7 @@ void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
 }
 
 bool Input::is_in_space() const {
-  const auto frame = last_frame(find_dumps(patterns));
+  const auto frame = of_kind(last_frame(find_dumps(patterns)), kind);
   const bool result = rodpack::is_in_space(frame, packing, space);
   const auto refuse = [](const std::string& option, const std::string& scene) {
     throw CLI::ValidationError(option, "expected in a scene " + scene + " alone");
@@ -34,6 +47,7 @@ bool Input::is_in_space() const {
 }
 
 void add_files(CLI::App& command, Input& input, const std::string& kind) {
+  input.kind = kind;
   command
       .add_option("dumps", input.patterns,
                   "dump files of " + kind +
@@ -52,8 +66,9 @@ void add_packing_options(CLI::App& command, Input& input) {
   auto& packing = input.packing;
   command
       .add_option("--walls", packing.walls,
-                  "x of the left and right wall and y of the floor, m [default: parameters.json, "
-                  "else the box bounds of the dump; a periodic direction has no walls]")
+                  "x of the left and right wall and y of the floor, m [default: dump scene, else "
+                  "parameters.json, else the box bounds of the dump; a periodic direction has no "
+                  "walls]")
       ->expected(3)
       ->check(place())
       ->type_name("LEFT RIGHT FLOOR");
@@ -77,8 +92,8 @@ void add_packing_options(CLI::App& command, Input& input) {
 void add_vertical(CLI::App& command, Input& input) {
   command
       .add_option("--vertical", input.space.vertical,
-                  "in space: the axis that points up [default: 'vertical_axis' of parameters.json; "
-                  "in a plane y]")
+                  "in space: the axis that points up [default: gravity of dump scene, else "
+                  "'vertical_axis' of parameters.json; in a plane y]")
       ->check(one_of({"x", "y", "z"}))
       ->type_name("AXIS");
 }
@@ -87,10 +102,12 @@ void add_space_options(CLI::App& command, Input& input) {
   add_vertical(command, input);
   auto& space = input.space;
   command
-      .add_option("--container", space.container,
-                  "in space: walls of the container, whose top is open, m [default: 'container' of "
-                  "parameters.json, else the box bounds of the dump; a periodic direction has no "
-                  "walls]")
+      .add_option(
+          "--container", space.container,
+          "in space: walls of the container, whose top is open, m [default: dump scene, else "
+          "'container' of parameters.json, else the box bounds of the dump; a periodic direction "
+          "has no "
+          "walls]")
       ->expected(6)
       ->check(place())
       ->type_name("XLO XHI YLO YHI ZLO ZHI");
@@ -110,11 +127,21 @@ void add_output(CLI::App& command, std::string& stem) {
       ->type_name("STEM");
 }
 
+namespace {
+
+std::string lines_of_notes(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const auto& note : notes) text += "\nnote: " + note;
+  return text;
+}
+
+}  // namespace
+
 std::string describe(const Packing& packing) {
   return "walls: " + packing.walls.source + "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
          number_text((packing.surface - packing.walls.floor) / packing.particle_diameter, 4) +
-         " d_p high";
+         " d_p high" + lines_of_notes(packing.walls.notes);
 }
 
 std::string describe(const SpatialPacking& packing) {
@@ -124,7 +151,7 @@ std::string describe(const SpatialPacking& packing) {
          "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
          number_text((packing.surface - walls.low[up]) / packing.particle_diameter, 4) +
-         " d_p high";
+         " d_p high" + lines_of_notes(walls.notes);
 }
 
 }  // namespace rodpack::cli

@@ -16,12 +16,14 @@ namespace rodpack::cli {
 /// Dumps to read, common to the measuring subcommands.
 struct Input {
   std::vector<std::string> patterns;
+  std::string kind;  // "bodies", "contacts", "spheres"
   bool all_frames = false;
   PackingOptions packing;
   SpaceOptions space;
 
   /// Calls `visit` with the last frame, or with every frame that FramePool takes if the user asks
-  /// for all. @throws DataError when it takes none.
+  /// for all. Stock dumps are read as bodies where they carry enough. @throws DataError when it
+  /// takes none, as as_bodies() and require_contact_dump().
   void for_frames(const std::function<void(const Frame&)>& visit) const;
   /// Whether the last frame shows a scene in space. @throws DataError as rodpack::is_in_space(),
   /// CLI::ValidationError for walls of the other kind of scene.
@@ -44,7 +46,8 @@ void add_space_options(CLI::App& command, Input& input);
 /// Adds --output, the start of the names of the files to write.
 void add_output(CLI::App& command, std::string& stem);
 
-/// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal.
+/// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal, and a line
+/// for each wall of the scene that is no wall of the container.
 std::string describe(const Packing& packing);
 /// The same, with the vertical.
 std::string describe(const SpatialPacking& packing);

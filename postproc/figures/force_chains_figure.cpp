@@ -26,6 +26,12 @@ double particle_diameter(const PackingOptions& options,
   return 0;
 }
 
+// By how much a line is seen again along a direction: nowhere between walls, else a period away.
+std::vector<double> shifts_along(bool walls, double period) {
+  if (walls) return {0};
+  return {-period, 0, period};
+}
+
 }  // namespace
 
 void draw_force_chains(const Frame& contacts, const PackingOptions& options,
@@ -37,8 +43,9 @@ void draw_force_chains(const Frame& contacts, const PackingOptions& options,
   const Walls walls = find_walls(contacts, options, parameters);
   const double diameter = particle_diameter(options, parameters);
 
-  double top = walls.floor;
-  for (const auto& line : lines) top = std::max({top, line.y1, line.y2});
+  double top = walls.bottom ? walls.floor : walls.ceiling;
+  if (walls.bottom)
+    for (const auto& line : lines) top = std::max({top, line.y1, line.y2});
   if (!(top > walls.floor))
     throw DataError(contacts.file +
                     ": all contacts lie below the floor, y = " + number_text(walls.floor) + " m");
@@ -48,7 +55,8 @@ void draw_force_chains(const Frame& contacts, const PackingOptions& options,
   bodies.erase(0);
   const double spacing =
       std::sqrt(walls.width() * (top - walls.floor) / static_cast<double>(bodies.size()));
-  const std::array<double, 4> window{walls.left, walls.right, walls.floor, top + spacing / 2};
+  const std::array<double, 4> window{walls.left, walls.right, walls.floor,
+                                     walls.bottom ? top + spacing / 2 : top};
   const double longer = std::max(window[1] - window[0], window[3] - window[2]);
   PackingPicture picture(window, std::clamp(24 * longer / spacing, 1200.0, 4000.0), true);
 
@@ -64,13 +72,16 @@ void draw_force_chains(const Frame& contacts, const PackingOptions& options,
     const auto& line = lines[k];
     const double part = strongest > 0 ? std::min(line.force / strongest, 1.0) : 0;
     // A pair that touches across a periodic border is seen at both.
-    for (const double shift : {-walls.width(), 0.0, walls.width()}) {
-      const bool outside = std::max(line.x1, line.x2) + shift < walls.left ||
-                           std::min(line.x1, line.x2) + shift > walls.right;
-      if (shift != 0 && (walls.sides || outside)) continue;
-      drawing.line(picture.x(line.x1 + shift), picture.y(line.y1), picture.x(line.x2 + shift),
-                   picture.y(line.y2), std::max(thin, part * full), scale.shade(k), "round");
-    }
+    for (const double dx : shifts_along(walls.sides, walls.width()))
+      for (const double dy : shifts_along(walls.bottom, walls.ceiling - walls.floor)) {
+        const bool outside = std::max(line.x1, line.x2) + dx < window[0] ||
+                             std::min(line.x1, line.x2) + dx > window[1] ||
+                             std::max(line.y1, line.y2) + dy < window[2] ||
+                             std::min(line.y1, line.y2) + dy > window[3];
+        if (outside && (dx != 0 || dy != 0)) continue;
+        drawing.line(picture.x(line.x1 + dx), picture.y(line.y1 + dy), picture.x(line.x2 + dx),
+                     picture.y(line.y2 + dy), std::max(thin, part * full), scale.shade(k), "round");
+      }
   }
   picture.finish(walls, diameter, scale, stem);
 }

@@ -31,6 +31,11 @@ const FigureText coordination{"forces_coordination",
                               "How many particles, and in how many contacts, a particle touches",
                               "", false};
 
+const FigureText partial_rdf_figure{
+    "rdf_partial", "Partial radial distribution functions of the mixture",
+    "1: as in an ideal gas; weighted by the pairs of an ideal gas they add up to the grey curve.",
+    false};
+
 const std::vector<FigureText>& run_figures() {
   static const std::string hatched =
       "Hatched: nearer than 3ω to a wall or the surface (line), where the kernel averages over the "
@@ -59,6 +64,7 @@ const std::vector<FigureText>& run_figures() {
        "Particles closer than AR <i>d</i><sub>p</sub> to a wall are left out.", false},
       {"orientation_polar", "The same as a rose", "", false},
       {"rdf", "Radial distribution function of the centres of mass", "", false},
+      partial_rdf_figure,
       distribution_of_forces,
       mobilised_friction,
       coordination,
@@ -77,6 +83,7 @@ const std::vector<FigureText>& space_figures() {
       {"orientation", "Angle of the long axis to the vertical", isotropic, false},
       {"orientation_azimuth", "Azimuth of the long axis about the vertical", isotropic, false},
       {"rdf", "Radial distribution function of the centres of mass, in shells", "", false},
+      partial_rdf_figure,
       {"rdf_axial", "Pair correlation along and across the axis of the centre particle",
        "1: as in an ideal gas of the same density.", false},
       {"solid_fraction", "Solid fraction over height", grey, false},
@@ -114,6 +121,12 @@ Json results_of(const Json& summary) {
     if (key != "format" && key != "timestep" && key != "scene" && !value.is_structured())
       results[key] = value;
   return results;
+}
+
+// Of a mixture, what is known by kind of particles.
+std::string mixture_html(const fs::path& analysis) {
+  const auto file = analysis / "mixture.csv";
+  return fs::exists(file) ? csv_table(file.string(), "By kind of particles") : std::string();
 }
 
 Json parameters_of(Json parameters) {
@@ -167,7 +180,7 @@ std::string write_run_page(const std::string& run_folder) {
   page.title = "Packing of " + particles_in_words(parameters);
   page.lead = lead_of(name, summary, parameters);
   page.sections = {
-      {"results", "Results", values_table(results_of(summary), "")},
+      {"results", "Results", values_table(results_of(summary), "") + mixture_html(analysis)},
       {"packing", "The packing", packing_html(name.filename().string(), run_folder, summary)},
       {"figures", "Figures",
        figures.empty() ? "<p>None: \"rodpack analyse\" draws them.</p>\n" : figures},

@@ -8,6 +8,7 @@
 #include "reading/checks/particle_sizes.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
+#include "reading/scene/scene_walls.h"
 
 namespace rodpack {
 
@@ -16,7 +17,9 @@ Walls find_walls(const Frame& frame, const PackingOptions& options,
   Walls walls;
   walls.sides = !frame.periodic[0];
   walls.bottom = !frame.periodic[1];
-  if (!options.walls.empty()) {
+  if (const auto scene = options.walls.empty() ? find_scene(frame) : std::nullopt) {
+    walls = walls_of_scene(*scene, frame);
+  } else if (!options.walls.empty()) {
     walls.left = options.walls.at(0);
     walls.right = options.walls.at(1);
     walls.floor = options.walls.at(2);
@@ -30,9 +33,18 @@ Walls find_walls(const Frame& frame, const PackingOptions& options,
     walls.floor = frame.bounds[1][0];
     walls.source = "box bounds of " + frame.file;
   }
+  if (!walls.bottom) {
+    walls.floor = frame.bounds[1][0];
+    walls.ceiling = frame.bounds[1][1];
+  }
   if (!(walls.right > walls.left))
     throw DataError(walls.source + ": expected the right wall beyond the left one, found " +
                     number_text(walls.left) + " and " + number_text(walls.right));
+  // The images of what crosses the border are one period of the dump away, no other length.
+  const double period = frame.bounds[0][1] - frame.bounds[0][0];
+  if (!walls.sides && std::abs(walls.width() - period) > 1e-9 * period)
+    throw DataError(walls.source + ": expected the period of the dump in x, " +
+                    number_text(period) + " m, found " + number_text(walls.width()) + " m");
   return walls;
 }
 
@@ -65,9 +77,12 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
     throw DataError(packing.walls.source + ": expected a period of at least a particle's length, " +
                     number_text(packing.axial_length(), 4) + " m, found one of " +
                     number_text(packing.walls.width(), 4) + " m");
-  const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
-  packing.surface =
-      bed_surface(packing.y, packing.area, packing.walls.floor, packing.walls.width(), layer);
+  packing.surface = packing.walls.ceiling;
+  if (packing.walls.bottom) {
+    const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
+    packing.surface =
+        bed_surface(packing.y, packing.area, packing.walls.floor, packing.walls.width(), layer);
+  }
   return packing;
 }
 

@@ -17,8 +17,10 @@ struct Walls {
   double right = 0;    // x of the right wall, m
   double floor = 0;    // y of the floor, m
   bool sides = true;   // false: periodic in x with period right - left
-  bool bottom = true;  // false: periodic in y, no floor
+  bool bottom = true;  // false: periodic in y with period ceiling - floor, no floor
+  double ceiling = 0;  // y of the period's end; nothing without one
   std::string source;  // where the numbers come from, for reports
+  std::vector<std::string> notes;  // what of the scene is no wall of the container, and why
   /// Distance of the side walls, or the period in x, m.
   double width() const { return right - left; }
 };
@@ -43,7 +45,7 @@ struct Packing {
   Walls walls;
   double particle_diameter = 0;  // d_p, m
   double aspect_ratio = 1;       // AR = l_axial / d_p
-  double surface = 0;            // y of the bed's surface, m; see bed_surface()
+  double surface = 0;  // y of the bed's surface, m, see bed_surface(); without a floor the ceiling
 
   /// Number of particles.
   std::size_t size() const { return x.size(); }
@@ -51,10 +53,11 @@ struct Packing {
   double axial_length() const { return aspect_ratio * particle_diameter; }
 };
 
-/// Finds the walls: the options, else container_width_m of parameters.json (walls x = 0 and x =
-/// width, floor y = 0), else the box bounds of the dump. A direction that is periodic in the dump
-/// has no walls.
-/// @throws DataError when the right wall is not beyond the left one.
+/// Finds the walls: the options, else the run's scene (find_scene(), walls_of_scene()), else
+/// container_width_m of parameters.json (walls x = 0 and x = width, floor y = 0), else the box
+/// bounds of the dump. A direction that is periodic in the dump has no walls.
+/// @throws DataError when the right wall is not beyond the left one, or a period in x is not the
+///   dump's; as find_scene().
 Walls find_walls(const Frame& frame, const PackingOptions& options,
                  const std::optional<RunParameters>& parameters);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/energies.h"
+#include "analysis/orientation.h"
 #include "figures/force_chains_figure.h"
 #include "figures/render.h"
 #include "figures/vtk_export.h"
@@ -15,7 +16,9 @@
 #include "reading/packing.h"
 #include "reading/parameters.h"
 #include "reading/run_folder.h"
+#include "reading/scene/run_scene.h"
 #include "report/measures.h"
+#include "report/mixture_measures.h"
 #include "report/run_files.h"
 #include "report/scene.h"
 #include "report/spatial_measures.h"
@@ -40,12 +43,13 @@ void remove_own_outputs(const fs::path& out) {
   for (const std::string table :
        {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination",
         "fields", "profile", "orientation_azimuth", "orientation_order", "rdf_axial",
-        "forces_fabric", "forces_fabric_order"})
+        "forces_fabric", "forces_fabric_order", "mixture", "rdf_partial"})
     fs::remove(out / (table + ".csv"), ignored);
   for (const std::string figure :
        {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
         "forces", "forces_friction", "forces_coordination", "forces_chains", "solid_fraction_map",
-        "pressure_map", "profile", "orientation_azimuth", "rdf_axial", "forces_fabric"})
+        "pressure_map", "profile", "orientation_azimuth", "rdf_axial", "forces_fabric",
+        "rdf_partial"})
     for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
   for (const std::string kind : {"bodies", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
@@ -75,6 +79,8 @@ int measure_bodies(const Frame& bodies, const Packing& packing, const fs::path& 
       ++made;
     } catch (const TooFewParticles& reason) {
       summary["notes"].push_back(reason.what());
+    } catch (const MixedParticles& reason) {
+      summary["notes"].push_back(std::string("orientation: ") + reason.what());
     }
   return made;
 }
@@ -88,8 +94,8 @@ class Analysis {
         options_(std::move(options)),
         files_(find_run_files(run_folder, options_.packing.parameters)) {
     if (files_.parameters) options_.packing.parameters = files_.parameters->file;
-    if (files_.parameters && files_.parameters->values.contains("timestep_s"))
-      dt_ = files_.parameters->number("timestep_s");
+    has_scene_ = find_scene(files_.bodies).has_value();
+    dt_ = find_timestep(files_.bodies, options_.packing.parameters).value_or(0);
   }
 
   Json run() {
@@ -133,7 +139,7 @@ class Analysis {
     summary_["particles"] = particles;
   }
 
-  // What a folder without parameters.json says in its place.
+  // What a folder without parameters.json, or with a scene, says in its place.
   void put_setting(const std::string& walls, double particle_diameter, double aspect_ratio) {
     summary_["walls_from"] = walls;
     summary_["particle_diameter_m"] = particle_diameter;
@@ -141,9 +147,11 @@ class Analysis {
   }
 
   // Walls that nobody stated are the dump's box, which may be larger than the container.
-  void start_notes(const std::string& walls, const std::string& options) {
+  void start_notes(const std::string& walls, const std::vector<std::string>& notes,
+                   const std::string& options) {
     summary_["notes"] = files_.notes;
-    if (walls.rfind("box bounds", 0) == 0)
+    for (const auto& note : notes) summary_["notes"].push_back(note);
+    if (walls.find("box bounds") != std::string::npos)
       summary_["notes"].push_back("walls: " + walls + "; " + options +
                                   " where the container is another");
     first_measure_note_ = summary_["notes"].size();
@@ -164,14 +172,14 @@ class Analysis {
     const auto& packing = *packing_;
     read_the_rest();
     start(packing.timestep, packing.size());
-    summary_["bed_height_m"] = packing.surface - packing.walls.floor;
-    if (!files_.own_parameters)
+    if (packing.walls.bottom) summary_["bed_height_m"] = packing.surface - packing.walls.floor;
+    if (!files_.own_parameters || has_scene_)
       put_setting(packing.walls.source, packing.particle_diameter, packing.aspect_ratio);
     if (files_.parameters) {
       const auto scene = scene_unlike_the_papers(files_.parameters->values);
       if (!scene.empty()) summary_["scene"] = scene;
     }
-    start_notes(packing.walls.source, "--walls");
+    start_notes(packing.walls.source, packing.walls.notes, "--walls");
     int made = measure_bodies(files_.bodies, packing, out_, summary_);
     options_.packing.particle_diameter = packing.particle_diameter;
     report_contacts(contacts_, out_, summary_);
@@ -179,6 +187,7 @@ class Analysis {
       ++made;
       draw_force_chains(contacts_.frame, options_.packing, (out_ / "forces_chains").string());
     }
+    report_mixture(packing, files_.bodies, contacts_, out_, summary_);
     const bool stressed =
         contacts_.frame.rows > 0 && contacts_.frame.timestep == files_.bodies.timestep;
     try {
@@ -202,8 +211,9 @@ class Analysis {
     if (!walls.periodic[walls.vertical])
       summary_["bed_height_m"] = packing.surface - walls.low[walls.vertical];
     put_setting(walls.source, packing.particle_diameter, packing.aspect_ratio);
-    start_notes(walls.source, "--container or --cylinder");
+    start_notes(walls.source, walls.notes, "--container or --cylinder");
     require_any(report_in_space(packing, files_.bodies, contacts_, out_, summary_));
+    report_mixture(packing, files_.bodies, contacts_, out_, summary_);
   }
 
   void refuse_of_space() const {
@@ -234,6 +244,7 @@ class Analysis {
   AnalyseOptions options_;
   RunFiles files_;
   double dt_ = 0;  // s; 0: unknown
+  bool has_scene_ = false;
   std::optional<Packing> packing_;
   MeasuredContacts contacts_;
   Json summary_;

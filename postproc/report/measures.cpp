@@ -19,6 +19,7 @@
 #include "figures/solid_fraction_figure.h"
 #include "reading/number_text.h"
 #include "reading/run_folder.h"
+#include "reading/scene/run_scene.h"
 
 namespace rodpack {
 
@@ -129,7 +130,9 @@ MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
       return report;
     }
     ContactForceOptions options;
-    options.friction = find_friction(frame.file, parameters, friction);
+    const auto mu = find_friction(frame, parameters, friction);
+    options.friction = mu.coefficient;
+    report.friction_note = mu.missing;
     force_lines(frame);  // bad columns show before anything is written
     ContactForceSample sample(options);
     sample.add(frame, &bodies);
@@ -159,9 +162,7 @@ void report_contacts(const MeasuredContacts& contacts, const fs::path& out, Json
   } else {
     summary["mobilised_friction_mean"] = nullptr;
     summary["sliding_fraction"] = nullptr;
-    summary["notes"].push_back(
-        "contacts: no positive friction in parameters.json, so that the "
-        "mobilised friction is left out; --friction gives one");
+    summary["notes"].push_back("contacts: " + contacts.friction_note);
   }
   summary["coordination_number"] = forces.coordination.touching_particles;
   summary["contacts_per_particle"] = forces.coordination.contacts;

@@ -48,9 +48,10 @@ struct MeasuredContacts {
   std::vector<Vector3> normals;       // of the contacts that are measured
   std::vector<double> normal_forces;  // of the same, N
   std::string note;                   // why there are no forces
+  std::string friction_note;          // why there is no mobilised friction
 };
 /// Reads the contacts of the timestep of `bodies` and measures their forces. `parameters`: the
-/// run's parameters.json; `friction`: in place of what that says. @throws DataError when a column
+/// run's parameters.json; `friction`: in place of what the scene or that says. @throws DataError when a column
 /// is missing or malformed.
 MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
                                   const std::string& parameters, std::optional<double> friction);

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <map>
 
+#include "analysis/stock/stock_dumps.h"
 #include "reading/number_text.h"
 #include "reading/run_folder.h"
+#include "reading/scene/run_scene.h"
 
 namespace rodpack {
 namespace {
@@ -52,6 +54,7 @@ void require_one_run(const std::string& run, const std::vector<std::string>& fil
   for (const auto& file : files) {
     Frame first;
     if (!DumpReader(file).next(first)) continue;
+    first = as_bodies(first);
     const auto place = file_of.emplace(first.timestep, file);
     if (!place.second)
       throw DataError(file + ": expected dumps of one run, found timestep " +
@@ -102,15 +105,16 @@ RunFiles find_run_files(const std::string& run, const std::string& given) {
                     "its dumps/, found none");
   }
   if (!has_own) files.parameters = find_parameters(files.body_files.back(), given);
-  files.bodies = last_frame(files.body_files);
+  files.bodies = as_bodies(last_frame(files.body_files));
   if (!has_own) {
     if (files.bodies.rows == 0)
       throw DataError(files.bodies.file + ": the last frame holds no particles");
     require_one_run(run, files.body_files, files.bodies);
   }
-  if (!files.parameters)
+  if (!files.parameters && !find_scene(files.bodies))
     files.notes.push_back(
-        "times: no parameters.json with 'timestep_s' (--parameters), so that they are timesteps");
+        "times: no dump scene, nor parameters.json with 'timestep_s' (--parameters), so that they "
+        "are timesteps");
   find_spheres(run, has_own, files);
   files.own_parameters = has_own;
   return files;

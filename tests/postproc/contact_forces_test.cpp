@@ -207,15 +207,19 @@ TEST(ContactForces, WrongInputsAreNamed) {
 
 TEST(ContactForces, FrictionComesFromTheCommandLineElseFromTheRun) {
   const auto folder = fresh_folder();
-  const auto dump = (folder / "c.dump").string();
-  EXPECT_FALSE(find_friction(dump, "", {}));
+  Frame dump;
+  dump.file = (folder / "c.dump").string();
+  const auto found = [&](std::optional<double> given = {}) {
+    return find_friction(dump, "", given).coefficient;
+  };
+  EXPECT_FALSE(found());
   put(folder / "parameters.json", "{\"friction\": 0.3}");
-  EXPECT_EQ(find_friction(dump, "", {}), 0.3);
-  EXPECT_EQ(find_friction(dump, "", 0.4), 0.4);
+  EXPECT_EQ(found(), 0.3);
+  EXPECT_EQ(found(0.4), 0.4);
   put(folder / "parameters.json", "{\"friction\": 0}");
-  EXPECT_FALSE(find_friction(dump, "", {}));
+  EXPECT_FALSE(found());
   put(folder / "parameters.json", "{\"friction\": -1}");
-  EXPECT_THROW(find_friction(dump, "", {}), DataError);
+  EXPECT_THROW(found(), DataError);
 }
 
 // Two sphere contacts of one pair, in either order: the forces on the same body are summed.

@@ -78,7 +78,7 @@ TEST(Rooms, DependenciesOfTheCorePointOneWay) {
 
 TEST(Rooms, DependenciesOfTheStylesPointOneWay) {
   const Rules rules = {{"support", {}},
-                       {"deck", {"support"}},
+                       {"deck", {"support", "contact"}},
                        {"particles", {"support"}},
                        {"contact", {"support"}},
                        {"motion", {"support", "contact"}},

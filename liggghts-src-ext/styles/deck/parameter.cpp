@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "comm.h"
 #include "input.h"
+#include "json_text.h"
 #include "rodpack/version.h"
 #include "run_files.h"
 #include "run_parameters.h"
@@ -33,30 +33,10 @@ std::vector<std::string> command_line() {
   return words;
 }
 
-std::string json_string(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20) quoted += c;
-  }
-  return quoted + "\"";
-}
-
 /// Version and commit of this rodpack, as a JSON object.
 std::string json_of_rodpack() {
   return "{\"version\": " + json_string(rodpack::version()) +
          ", \"commit\": " + json_string(rodpack::commit()) + "}";
-}
-
-/// Shortest text that reads back as the same number (users write ".5" or "+1", JSON does not allow
-/// it).
-std::string json_number(double number) {
-  char text[32];
-  for (int digits = 6; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, number);
-    if (std::strtod(text, nullptr) == number) break;
-  }
-  return text;
 }
 
 }  // namespace

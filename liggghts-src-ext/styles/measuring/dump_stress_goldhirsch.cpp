@@ -5,7 +5,7 @@
 #include "compute_stress_goldhirsch.h"
 #include "modify.h"
 #include "stop_run.h"
-#include "table_dump.h"
+#include "dump_files.h"
 #include "update.h"
 #ifdef LAMMPS_VTK
 #include "rodpack/vtk/field_image.h"

@@ -11,22 +11,6 @@
 
 namespace LAMMPS_NS {
 
-std::string name_at_step(std::string name, long long step, int width) {
-  const std::size_t star = name.find('*');
-  if (star == std::string::npos) return name;
-  char digits[64];
-  std::snprintf(digits, sizeof(digits), "%0*lld", width, step);
-  return name.replace(star, 1, digits);
-}
-
-void require_folder(LAMMPS* lmp, const Dump& dump, const std::string& file) {
-  int rank = 0;
-  MPI_Comm_rank(lmp->world, &rank);
-  std::string fault = rank == 0 ? fault_of_folder(file) : "";
-  if (!fault.empty()) fault = name_of(dump) + ": Cannot write dump file " + file + ": " + fault;
-  stop_run_by_rank_0(lmp, fault);
-}
-
 TableDump::TableDump(LAMMPS* lmp, int narg, char** arg) : Dump(lmp, narg, arg) {
   if (narg > 5) stop_run(lmp, *this, std::string("unknown argument ") + arg[5]);
   if (binary) stop_run(lmp, *this, std::string("is text only, not ") + filename);

@@ -6,16 +6,11 @@
 #include <string>
 #include <vector>
 #include "dump.h"
+#include "dump_files.h"
 #include "output_file.h"
 #include "rodpack/dumps/columns.h"
 
 namespace LAMMPS_NS {
-
-/// Returns `name` with its * replaced by the step, padded with zeros to `width` digits.
-std::string name_at_step(std::string name, long long step, int width);
-
-/// Stops the run, on all ranks, unless a file can be made in the folder of `file`.
-void require_folder(class LAMMPS* lmp, const Dump& dump, const std::string& file);
 
 /// Base of our dumps: writes a LIGGGHTS text dump with fixed columns, whose rows the derived style
 /// lists anew for each frame. File names are as for any dump: * stands for the step, % for the

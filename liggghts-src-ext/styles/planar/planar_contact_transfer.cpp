@@ -12,7 +12,6 @@
 #include "fix_property_atom.h"
 #include "fix_property_global.h"
 #include "fix_wall_gran.h"
-#include "fix_wall_gran_solid.h"
 #include "force.h"
 #include "modify.h"
 #include "mpi_ranks.h"
@@ -20,9 +19,9 @@
 #include "neighbor.h"
 #include "pair_gran.h"
 #include "planar_stop.h"
-#include "primitive_wall.h"
 #include "rodpack/contact/planar_history.h"
 #include "update.h"
+#include "wall_shape.h"
 
 namespace LAMMPS_NS {
 
@@ -77,31 +76,6 @@ const char* const needed_models =
 // The number of values tells the caps apart: another multistepOrder takes three more or less.
 static_assert(rodpack::stored_cap_values % 3 != 0, "taken for another multistepOrder");
 
-/// Finds the plane x = c or y = c that a wall is; false for any other primitive.
-bool plane_of(FixWallGran* fix, rodpack::PlanarWall& plane) {
-  if (const FixWallGranSolid* solid = dynamic_cast<FixWallGranSolid*>(fix)) {
-    plane.axis = solid->axis();
-    plane.position = solid->position();
-    plane.free_side = solid->free_side();
-    return plane.axis < 2;
-  }
-  PrimitiveWall& wall = *fix->primitiveWall();
-  double origin[3] = {0.0, 0.0, 0.0}, other[3] = {1.1, 2.3, 4.7};
-  double from[3] = {}, to[3] = {};
-  wall.resolveContact(origin, 0.0, from);
-  wall.resolveContact(other, 0.0, to);
-  for (int axis = 0; axis < 2; ++axis) {
-    double off = std::fabs(from[axis] - (other[axis] + to[axis]));
-    for (int d = 0; d < 3; ++d)
-      if (d != axis) off += std::fabs(from[d]) + std::fabs(to[d]);
-    if (off > 1e-12) continue;
-    plane.axis = axis;
-    plane.position = from[axis];
-    return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void PlanarContactTransfer::connect() {
@@ -125,8 +99,8 @@ void PlanarContactTransfer::connect() {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
     const std::string name = std::string("fix ") + wall->style + " (id " + wall->id + ") ";
     if (!has_known_models(wall)) refuse(lmp, name + "has other models, expected " + needed_models);
-    rodpack::PlanarWall plane;
-    if (wall->is_mesh_wall() || !wall->primitiveWall() || !plane_of(wall, plane))
+    const WallShape plane = shape_of(*wall);
+    if (plane.kind != WallShape::Kind::plane || plane.axis > 1)
       refuse(lmp, name + "is no plane, expected 'primitive ... xplane' or 'yplane'");
     if (wall->is_moving()) refuse(lmp, name + "moves ('shear'), expected a wall at rest");
     if (wall->igroup != 0) refuse(lmp, name + "acts on a group, expected all");
@@ -161,8 +135,11 @@ std::vector<rodpack::PlanarLaw> PlanarContactTransfer::laws() const {
 std::vector<rodpack::PlanarWall> PlanarContactTransfer::walls() const {
   std::vector<rodpack::PlanarWall> planes;
   for (FixWallGran* wall : walls_) {
+    const WallShape shape = shape_of(*wall);
     rodpack::PlanarWall plane;
-    plane_of(wall, plane);
+    plane.axis = shape.axis;
+    plane.position = shape.position;
+    plane.free_side = shape.free_side;
     plane.type = wall->atom_type_wall() - 1;
     planes.push_back(plane);
   }

@@ -155,7 +155,7 @@ std::string remove_unfinished(const std::string& folder) {
 
 std::string remove_later_dumps(const std::string& folder, long long step) {
   return for_each_file(folder, [&](const std::string& name) -> std::string {
-    if (step_of(name, ".*\\.([0-9]+)\\.dump(\\.gz)?") <= step) return "";
+    if (step_of(name, ".*\\.([0-9]+)\\.(dump(\\.gz)?|json)") <= step) return "";
     return remove_file(folder + "/" + name);
   });
 }

@@ -30,7 +30,7 @@ std::string cut_table(const std::string& file, long long step);
 /// Removes what was being written in a folder when a run ended: NAME.part.
 std::string remove_unfinished(const std::string& folder);
 
-/// Removes files NAME.STEP.dump (also with .gz) of steps after `step`.
+/// Removes files NAME.STEP.dump (also with .gz) and NAME.STEP.json of steps after `step`.
 std::string remove_later_dumps(const std::string& folder, long long step);
 
 /// Renames restart files NAME.STEP.restart of steps after `step`, and NAME.end.restart, to

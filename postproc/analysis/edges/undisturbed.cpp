@@ -25,7 +25,8 @@ Rectangle undisturbed_part(const Packing& packing, double reach, Normalisation n
     }
     if (walls.bottom) part.bottom = walls.floor + away;
   }
-  if (normalisation != Normalisation::walls_and_surface) part.top = packing.surface - away;
+  if (normalisation != Normalisation::walls_and_surface && walls.bottom)
+    part.top = packing.surface - away;
   return part;
 }
 

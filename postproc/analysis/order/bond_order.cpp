@@ -92,7 +92,11 @@ void BondOrderSample::add(const Frame& bodies, const Packing& packing) {
     return points;
   });
   const auto inner = undisturbed_part(packing, packing.axial_length());
-  const double left = packing.walls.left, right = packing.walls.right;
+  const auto& walls = packing.walls;
+  // Across a periodic side the images of half the bed are neighbours of the others.
+  const auto image = [](double at, double low, double high) {
+    return at < (low + high) / 2 ? at + (high - low) : at - (high - low);
+  };
   std::vector<double> x, y;
   std::vector<bool> counted;
   const auto add_point = [&](double at_x, double at_y, bool counts) {
@@ -106,10 +110,11 @@ void BondOrderSample::add(const Frame& bodies, const Packing& packing) {
       const bool inside = inner.contains(at_x, at_y);
       near_edges_ += inside ? 0 : 1;
       add_point(at_x, at_y, inside);
-      // Across a periodic side the images of half the bed are neighbours of the others.
-      if (packing.walls.sides) continue;
-      const double period = packing.walls.width();
-      add_point(at_x < (left + right) / 2 ? at_x + period : at_x - period, at_y, false);
+      const double image_x = image(at_x, walls.left, walls.right);
+      const double image_y = image(at_y, walls.floor, walls.ceiling);
+      if (!walls.sides) add_point(image_x, at_y, false);
+      if (!walls.bottom) add_point(at_x, image_y, false);
+      if (!walls.sides && !walls.bottom) add_point(image_x, image_y, false);
     }
   const auto orders = sixfold_bond_orders(x, y);
   for (std::size_t i = 0; i < orders.size(); ++i) {

@@ -3,6 +3,7 @@
 #define RODPACK_ANALYSIS_PAIRS_RDF_SUMS_H
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,15 @@ struct RdfFrame {
   double region = 0;  // where the centres lie: its area, in space its volume
   double margin = 0;  // in d_p
   bool margin_reduced = false;
+};
+
+/// Who wants to count the pairs of G(r) by kinds of particles; particles are named by their place
+/// in the packing.
+struct RdfVisitor {
+  /// A centre and its rings inside the window, one per bin: areas, m^2, in space volumes, m^3.
+  std::function<void(std::size_t particle, const std::vector<double>& rings)> centre;
+  /// A pair; `twice`: both are centres, and it is counted a second time from the other end.
+  std::function<void(std::size_t centre, std::size_t neighbour, std::size_t bin, bool twice)> pair;
 };
 
 /// Adds a particle's share to RdfFrame::spread. rho comes from the region, the neighbours also from

@@ -49,6 +49,8 @@ void TouchingChains::find_neighbours(const Packing& packing) {
             [&](std::size_t a, std::size_t b) { return packing.y[a] < packing.y[b]; });
   neighbours_.resize(packing.size());
   const double period = packing.walls.sides ? 0 : packing.walls.width();
+  if (!packing.walls.bottom)
+    throw DataError("configurations of pairs: expected a floor, found y periodic");
   for (std::size_t k = 0; k < order.size(); ++k)
     for (std::size_t m = k + 1; m < order.size(); ++m) {
       const auto i = order[k], j = order[m];

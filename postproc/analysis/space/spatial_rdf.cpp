@@ -68,4 +68,21 @@ void SpatialRdfSample::add(const SpatialPacking& packing) {
   sums_.add(frame);
 }
 
+double visit_spatial_rdf(const SpatialPacking& packing, const RdfOptions& options,
+                         const RdfVisitor& visitor) {
+  const double bin = options.bin_width * packing.particle_diameter;
+  const auto bins = bins_of(options);
+  const double reach = bin * static_cast<double>(bins);
+  const double margin = margin_in_space(packing, options).first;
+  const auto points =
+      neighbourhood(packing, margin, std::min(packing.axial_length(), margin), reach);
+  for (const auto i : points.centres)
+    visitor.centre(points.particle[i], shell_volumes(points.window, points.place[i], bin, bins));
+  for_neighbours(points, reach, [&](std::size_t i, std::size_t j, const Vector3& to) {
+    const auto k = static_cast<std::size_t>(std::hypot(to[0], to[1], to[2]) / bin);
+    if (k < bins) visitor.pair(points.particle[i], points.particle[j], k, points.is_centre[j]);
+  });
+  return points.region_volume;
+}
+
 }  // namespace rodpack

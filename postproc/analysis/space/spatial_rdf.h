@@ -24,6 +24,11 @@ class SpatialRdfSample {
   RdfSums sums_;
 };
 
+/// Calls `visitor` with every centre and every pair that SpatialRdfSample counts. Returns the
+/// volume in which the centres lie, m^3. @throws as neighbourhood().
+double visit_spatial_rdf(const SpatialPacking& packing, const RdfOptions& options,
+                         const RdfVisitor& visitor);
+
 }  // namespace rodpack
 
 #endif

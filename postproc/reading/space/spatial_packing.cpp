@@ -9,6 +9,7 @@
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/parsing.h"
+#include "reading/scene/scene_walls.h"
 
 namespace rodpack {
 namespace {
@@ -23,13 +24,15 @@ std::optional<std::size_t> axis_named(const std::string& name) {
 }
 
 // The axis that points up, if anybody says so.
-std::optional<std::size_t> stated_vertical(const std::optional<RunParameters>& parameters,
+std::optional<std::size_t> stated_vertical(const std::optional<RunScene>& scene,
+                                           const std::optional<RunParameters>& parameters,
                                            const SpaceOptions& space) {
   if (!space.vertical.empty()) {
     if (const auto axis = axis_named(space.vertical)) return axis;
     throw DataError("--vertical: expected one of x, y, z, found '" + shortened(space.vertical) +
                     "'");
   }
+  if (const auto axis = scene ? scene->vertical() : std::nullopt) return axis;
   if (!parameters || !parameters->values.contains("vertical_axis")) return std::nullopt;
   const auto& value = parameters->values.at("vertical_axis");
   if (value.is_string())
@@ -67,8 +70,17 @@ bool add_stated_container(const Frame& bodies, const std::optional<RunParameters
 }
 
 SpatialWalls find_spatial_walls(const Frame& bodies, SpaceOptions space,
+                                const std::optional<RunScene>& scene,
                                 const std::optional<RunParameters>& parameters,
                                 std::size_t vertical) {
+  // A cylinder of the command line has its floor from the scene.
+  if (scene && space.container.empty()) {
+    auto walls = spatial_walls_of_scene(*scene, bodies, vertical);
+    if (space.cylinder.empty()) return walls;
+    add_cylinder(space.cylinder, walls);
+    walls.source = "--cylinder, " + walls.source;
+    return walls;
+  }
   SpatialWalls walls;
   walls.vertical = vertical;
   walls.periodic = bodies.periodic;
@@ -98,6 +110,16 @@ SpatialWalls find_spatial_walls(const Frame& bodies, SpaceOptions space,
     if (round) walls.source = "--cylinder, " + walls.source;
   }
   return walls;
+}
+
+// What a body adds to its layer, of whose contents only ratios matter: mass serves as volume does,
+// and so does length times cross-section where a dump of spheres has told the bodies.
+std::vector<double> weights(const Frame& bodies) {
+  if (bodies.has("mass")) return bodies.column("mass");
+  auto weight = bodies.column("half_length");
+  const auto& radius = bodies.column("radius");
+  for (std::size_t row = 0; row < weight.size(); ++row) weight[row] *= radius[row] * radius[row];
+  return weight;
 }
 
 // A container narrower than a sphere, or a period in which a particle would touch itself.
@@ -135,21 +157,22 @@ double SpatialWalls::height(const Vector3& place) const {
   return periodic[vertical] ? endless : place[vertical] - low[vertical];
 }
 
-std::optional<std::size_t> find_vertical(const std::string& dump, const std::string& parameters,
+std::optional<std::size_t> find_vertical(const Frame& frame, const std::string& parameters,
                                          const SpaceOptions& space) {
-  return stated_vertical(find_parameters(dump, parameters), space);
+  return stated_vertical(find_scene(frame), find_parameters(frame.file, parameters), space);
 }
 
 bool is_in_space(const Frame& bodies, const PackingOptions& options, const SpaceOptions& space) {
-  const auto vertical = find_vertical(bodies.file, options.parameters, space);
+  const auto vertical = find_vertical(bodies, options.parameters, space);
   if (bodies.rows == 0) return false;
   constexpr std::size_t y = 1;
   if (vertical.value_or(y) != y) return true;
   const auto reason = why_bodies_not_planar(bodies, sphere_diameter(bodies, options));
   if (!reason.empty() && !vertical)
-    throw DataError(reason +
-                    "; a scene in space needs --vertical, or 'vertical_axis' in parameters.json, "
-                    "the axis that points up");
+    throw DataError(
+        reason +
+        "; a scene in space needs --vertical, or 'vertical_axis' in parameters.json, "
+        "the axis that points up, or a 'dump scene' in the deck, with gravity along it");
   return !reason.empty();
 }
 
@@ -160,7 +183,8 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
                     ": the frame of timestep " + std::to_string(bodies.timestep) +
                     " holds no particles");
   const auto parameters = find_parameters(bodies.file, options.parameters);
-  const auto vertical = stated_vertical(parameters, space);
+  const auto scene = find_scene(bodies);
+  const auto vertical = stated_vertical(scene, parameters, space);
   if (!vertical) throw DataError("--vertical: expected one of x, y, z, found none");
   SpatialPacking packing;
   packing.timestep = bodies.timestep;
@@ -172,7 +196,7 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
     packing.elongated.push_back(count[i] > 1);
     packing.axis.push_back(count[i] > 1 ? axes.axis(i, 0) : Vector3{1, 0, 0});
   }
-  packing.walls = find_spatial_walls(bodies, space, parameters, *vertical);
+  packing.walls = find_spatial_walls(bodies, space, scene, parameters, *vertical);
   const auto sizes = particle_sizes(bodies, options, parameters);
   packing.particle_diameter = sizes.diameter;
   packing.aspect_ratio = sizes.aspect_ratio;
@@ -181,9 +205,8 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
   packing.surface = walls.high[*vertical];
   if (!walls.periodic[*vertical]) {
     const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
-    // Only ratios of the layers' contents matter: mass serves as volume does.
     packing.surface =
-        bed_surface(*place[*vertical], bodies.column("mass"), walls.low[*vertical], 1.0, layer);
+        bed_surface(*place[*vertical], weights(bodies), walls.low[*vertical], 1, layer);
   }
   return packing;
 }

@@ -29,6 +29,7 @@ struct SpatialWalls {
   double radius = 0;               // of the cylinder, m
   std::array<double, 2> middle{};  // its axis along the axes horizontal(0) and horizontal(1), m
   std::string source;              // where the numbers come from, for reports
+  std::vector<std::string> notes;  // what of the scene is no wall of the container, and why
 
   /// The two horizontal axes, in the order x, y, z, x after the vertical one.
   std::size_t horizontal(std::size_t which) const { return (vertical + 1 + which) % 3; }
@@ -56,10 +57,10 @@ struct SpatialPacking {
   double axial_length() const { return aspect_ratio * particle_diameter; }
 };
 
-/// Returns the axis that points up, 0 to 2, as SpaceOptions::vertical says, else `vertical_axis` of
-/// parameters.json (as find_parameters() finds it); none where nobody says so.
-/// @throws DataError when it is none of x, y, z.
-std::optional<std::size_t> find_vertical(const std::string& dump, const std::string& parameters,
+/// Returns the axis that points up, 0 to 2, as SpaceOptions::vertical says, else the run's scene
+/// (find_scene()), else `vertical_axis` of parameters.json (as find_parameters() finds it); none
+/// where nobody says so. @throws DataError when it is none of x, y, z; as RunScene::vertical().
+std::optional<std::size_t> find_vertical(const Frame& frame, const std::string& parameters,
                                          const SpaceOptions& space);
 
 /// Whether the frame of bodies is a scene in space: particles off their common plane z = constant,
@@ -68,7 +69,7 @@ std::optional<std::size_t> find_vertical(const std::string& dump, const std::str
 bool is_in_space(const Frame& bodies, const PackingOptions& options, const SpaceOptions& space);
 
 /// Reads a frame with the columns `nspheres x y z qw qx qy qz half_length radius mass`. Walls: the
-/// options, else `container` ("box" or "cylinder", from 0 to container_width_m, floor at 0) of
+/// options, else the run's scene (spatial_walls_of_scene()), else `container` ("box" or "cylinder", from 0 to container_width_m, floor at 0) of
 /// parameters.json, else the box bounds of the dump; d_p and AR as in particle_sizes().
 /// @throws DataError when the vertical is unknown, a column is missing, the frame is empty, the
 ///   container has no room for a particle, or as particle_sizes().

@@ -115,6 +115,7 @@ TEST(RunFolder, AfterAResumeHoldsEachStepOnceAndTheSameBits) {
   const std::string middle = std::to_string(*std::next(steps.begin(), 1));
   // A dump of a past that ran on with another interval, and one that was being written.
   std::ofstream(run / "dumps/bodies.99999999.dump") << "ITEM: TIMESTEP\n";
+  std::ofstream(run / "dumps/scene.99999999.json") << "{}\n";
   std::ofstream(run / "dumps/bodies.7.dump.part") << "ITEM: TIMESTEP\n";
   const auto resumed = run_liggghts_in(
       whole.folder, deck, small({{"resume", "run/restart/deposition." + middle + ".restart"}}));

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/mixture_measures.h"
+
+#include "analysis/mixture/composition.h"
+#include "analysis/mixture/partial_rdf.h"
+#include "figures/mixture/partial_rdf_figure.h"
+#include "reading/angles.h"
+
+namespace rodpack {
+namespace {
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_species = 8;  // more are a spread of shapes rather than a mixture
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+void put_mixture(const Mixture& mixture, const std::vector<SpeciesMeasures>& measures,
+                 const std::vector<std::vector<double>>& coordination, const fs::path& out,
+                 Json& summary) {
+  write_mixture_table(mixture, measures, coordination, (out / "mixture.csv").string());
+  Json list = Json::array();
+  for (std::size_t kind = 0; kind < mixture.species.size(); ++kind) {
+    const auto& species = mixture.species[kind];
+    const auto& measure = measures[kind];
+    Json entry{{"species", species.name},
+               {"type", species.type},
+               {"particles", species.number},
+               {"diameter_m", species.diameter},
+               {"aspect_ratio", species.aspect_ratio},
+               {"curvature_deg", species.curvature / degree},
+               {"number_share", measure.number_share},
+               {"solid_share", measure.solid_share},
+               {"nematic_order_S2", json_of(measure.order)},
+               {"nematic_order_S2_standard_error", json_of(measure.order_error)},
+               {"director_deg", json_of(measure.director)}};
+    if (!coordination.empty())
+      for (std::size_t other = 0; other < mixture.species.size(); ++other)
+        entry["touching"][mixture.species[other].name] = coordination[kind][other];
+    list.push_back(entry);
+  }
+  summary["mixture"] = list;
+}
+
+template <class AnyPacking>
+void put_partial_rdf(const AnyPacking& packing, const Mixture& mixture, const fs::path& out,
+                     Json& summary) {
+  std::optional<PartialRdf> rdf;
+  try {
+    rdf = partial_rdf(packing, mixture, {});
+  } catch (const DataError& reason) {
+    summary["notes"].push_back(std::string("partial RDF: ") + reason.what());
+    return;
+  }
+  write_partial_rdf_table(*rdf, mixture, (out / "rdf_partial.csv").string());
+  if (rdf->pairs.size() > most_partial_curves) {
+    summary["notes"].push_back(
+        "partial RDF: too many pairs of kinds for a figure; rdf_partial.csv has them");
+    return;
+  }
+  plot_partial_rdf(*rdf, mixture, (out / "rdf_partial").string());
+}
+
+// The kinds, or none where there is no mixture.
+std::optional<Mixture> mixture_of(const Frame& bodies, Json& summary) {
+  if (!bodies.has("type")) return std::nullopt;
+  auto mixture = find_mixture(bodies);
+  if (mixture.is_one()) return std::nullopt;
+  if (mixture.species.size() <= most_species) return mixture;
+  summary["notes"].push_back("mixture: " + std::to_string(mixture.species.size()) +
+                             " kinds of particles, expected at most " +
+                             std::to_string(most_species) + ": nothing is measured by kind");
+  return std::nullopt;
+}
+
+template <class AnyPacking, class Measure>
+void report_kinds(const AnyPacking& packing, const Frame& bodies, const ContactReport& contacts,
+                  const fs::path& out, Json& summary, const Measure& measure) {
+  const auto mixture = mixture_of(bodies, summary);
+  if (!mixture) return;
+  std::vector<std::vector<double>> coordination;
+  if (contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep)
+    coordination = coordination_by_species(contacts.frame, bodies, *mixture);
+  put_mixture(*mixture, measure(*mixture), coordination, out, summary);
+  put_partial_rdf(packing, *mixture, out, summary);
+}
+
+}  // namespace
+
+void report_mixture(const Packing& packing, const Frame& bodies, const ContactReport& contacts,
+                    const fs::path& out, Json& summary) {
+  report_kinds(packing, bodies, contacts, out, summary,
+               [&](const Mixture& mixture) { return measure_species(packing, mixture); });
+}
+
+void report_mixture(const SpatialPacking& packing, const Frame& bodies,
+                    const ContactReport& contacts, const fs::path& out, Json& summary) {
+  report_kinds(packing, bodies, contacts, out, summary,
+               [&](const Mixture& mixture) { return measure_species(packing, bodies, mixture); });
+}
+
+}  // namespace rodpack
