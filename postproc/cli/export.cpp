@@ -14,6 +14,7 @@ void add_export(CLI::App& app) {
     std::vector<std::string> patterns;
     std::string folder = "vtk";
     double timestep = 0;
+    bool capsules = false;
   };
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("export",
@@ -25,6 +26,8 @@ void add_export(CLI::App& app) {
       "  rodpack export 'results/quick/dumps/*.dump' -o vtk\n"
       "then open vtk/spheres.pvd in ParaView and glyph with spheres scaled by 2 radius_m;\n"
       "vtk/contacts.pvd holds a line per contact (tube filter, colour by contact_force_N).\n"
+      "  rodpack export 'results/ar2/dumps/bodies.*.dump' --capsules\n"
+      "writes vtk/capsules.pvd too, the surfaces of rods, straight or bent: no glyphs needed.\n"
       "Units stand in the names of the arrays; positions are in m, times in s.");
   command
       ->add_option("dumps", options->patterns,
@@ -39,6 +42,8 @@ void add_export(CLI::App& app) {
           "up; unknown: the index counts timesteps]")
       ->check(positive_number(1e6))
       ->type_name("S");
+  command->add_flag("--capsules", options->capsules,
+                    "the surfaces of the bodies too, as spherocylinders");
   command->add_option("-o,--output", options->folder, "folder to write to")
       ->check(name_of_folder())
       ->capture_default_str()
@@ -50,7 +55,7 @@ void add_export(CLI::App& app) {
     const auto parameters = find_parameters(files.front(), "");
     if (timestep == 0 && parameters && parameters->values.contains("timestep_s"))
       timestep = parameters->number("timestep_s");
-    const auto written = export_vtk(files, options->folder, timestep);
+    const auto written = export_vtk(files, options->folder, timestep, options->capsules);
     std::cout << "written: " << written.size() << " files in " << options->folder << '\n';
   });
 }

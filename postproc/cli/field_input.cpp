@@ -170,18 +170,6 @@ void FieldInput::for_spatial_packings(bool with_contacts, const SpatialVisit& vi
   });
 }
 
-void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names) {
-  for (const auto& name : names)
-    if (command.count(name) > 0)
-      throw CLI::ValidationError(name, "expected in a scene in a plane alone");
-}
-
-void refuse_in_plane(const CLI::App& command, const std::vector<std::string>& names) {
-  for (const auto& name : names)
-    if (command.count(name) > 0)
-      throw CLI::ValidationError(name, "expected in a scene in space alone");
-}
-
 std::string solid_fraction_line(const VerticalProfile& profile) {
   const auto mean = mean_solid_fraction(profile);
   return "solid fraction, 3 w from floor and surface: " +

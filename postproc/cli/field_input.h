@@ -46,9 +46,6 @@ void add_window(CLI::App& command, FieldInput& options);
 /// Adds --slice, of scenes in space.
 void add_slices(CLI::App& command, FieldInput& options);
 
-/// Refuses options that a scene in space has no use for, and the other way round.
-void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names);
-void refuse_in_plane(const CLI::App& command, const std::vector<std::string>& names);
 /// "solid fraction, 3 w from floor and surface: ..." for the terminal.
 std::string solid_fraction_line(const VerticalProfile& profile);
 

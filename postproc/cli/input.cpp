@@ -110,6 +110,18 @@ void add_output(CLI::App& command, std::string& stem) {
       ->type_name("STEM");
 }
 
+void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const auto& name : names)
+    if (command.count(name) > 0)
+      throw CLI::ValidationError(name, "expected in a scene in a plane alone");
+}
+
+void refuse_in_plane(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const auto& name : names)
+    if (command.count(name) > 0)
+      throw CLI::ValidationError(name, "expected in a scene in space alone");
+}
+
 std::string describe(const Packing& packing) {
   return "walls: " + packing.walls.source + "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +

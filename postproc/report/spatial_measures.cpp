@@ -134,10 +134,35 @@ int report_bodies(const SpatialPacking& packing, const Frame& bodies, const fs::
   return made;
 }
 
+int report_fields_in_space(const SpatialPacking& packing, const Frame& bodies,
+                           const Frame* contacts, double time, const fs::path& out, Json& summary) {
+  const auto sample = measured("fields", summary, [&] {
+    SpatialFieldSample fields({});
+    fields.add(packing, bodies, contacts);
+    return fields;
+  });
+  if (!sample) return 0;
+  write_fields(*sample, {}, time, (out / "fields").string());
+  draw_solid_fraction_maps(*sample, (out / "solid_fraction_map").string());
+  if (contacts) draw_pressure_maps(*sample, (out / "pressure_map").string());
+  const std::string key = "solid_fraction_3_omega_from_walls_floor_and_surface";
+  if (const auto interior = interior_solid_fraction(*sample)) {
+    summary[key] = interior->mean;
+    summary[key + "_standard_deviation_over_places"] = interior->deviation;
+  } else {
+    summary[key] = nullptr;
+    summary["notes"].push_back(
+        "solid fraction: no place is further than 3 omega from walls, floor and surface; --scale of "
+        "rodpack solid-fraction makes omega smaller");
+  }
+  return 1;
+}
+
 }  // namespace
 
 int report_in_space(const SpatialPacking& packing, const Frame& bodies,
-                    const ContactReport& contacts, const fs::path& out, Json& summary) {
+                    const ContactReport& contacts, double time, const fs::path& out,
+                    Json& summary) {
   int made = report_bodies(packing, bodies, out, summary);
   report_contacts(contacts, out, summary);
   if (contacts.forces) {
@@ -149,10 +174,10 @@ int report_in_space(const SpatialPacking& packing, const Frame& bodies,
     if (const auto profile = profile_of("profile", packing, bodies, &contacts.frame, summary))
       put_stresses(*profile, out, summary);
   }
-  summary["notes"].push_back(
-      "picture, force chains, maps of fields, sixfold orders: of scenes in a plane alone; "
-      "analysis/vtk/ shows the packing in ParaView, compute stress/goldhirsch has the fields on a "
-      "grid");
+  const bool stressed = contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep;
+  made += report_fields_in_space(packing, bodies, stressed ? &contacts.frame : nullptr, time, out,
+                                 summary);
+  summary["notes"].push_back("force chains, sixfold orders: of scenes in a plane alone");
   return made;
 }
 
