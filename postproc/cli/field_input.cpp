@@ -56,7 +56,8 @@ void add_kernel_options(CLI::App& command, FieldInput& options) {
   auto& fields = options.fields;
   auto* metres =
       command
-          .add_option("--scale", fields.scale, "scale w of the averaging, m [default: 3 AR d_p, in space AR d_p / 2]")
+          .add_option("--scale", fields.scale,
+                      "scale w of the averaging, m [default: 3 AR d_p, in space AR d_p / 2]")
           ->check(length())
           ->type_name("M");
   command.add_option("--scale-in-dp", fields.scale_in_diameters, "the same in d_p")
@@ -84,7 +85,9 @@ void add_kernel_options(CLI::App& command, FieldInput& options) {
           "above it all is 0)")
       ->check(one_of({"none", "walls", "walls-and-surface"}))
       ->default_str("none");
-  command.add_option("--spacing", fields.spacing, "of the grid, m [default: w/4, of a grid in space w/2]")
+  command
+      .add_option("--spacing", fields.spacing,
+                  "of the grid, m [default: w/4, of a grid in space w/2]")
       ->check(length())
       ->type_name("M");
 }
@@ -124,7 +127,8 @@ void add_slices(CLI::App& command, FieldInput& options) {
             Slice slice{};
             return parse_slice(word, slice) ? std::string()
                                             : "expected an axis and a place, such as y=0.018, "
-                                              "found '" + shortened(word) + "'";
+                                              "found '" +
+                                                  shortened(word) + "'";
           },
           ""))
       ->allow_extra_args(false)

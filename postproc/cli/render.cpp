@@ -82,7 +82,8 @@ void add_render(CLI::App& app) {
             options->render.colour = colours.at(name);
           },
           "force: magnitude of the net contact force on the sphere; fsum: sum of the "
-          "magnitudes of its contact forces; orientation: of the particle's long axis, in space its "
+          "magnitudes of its contact forces; orientation: of the particle's long axis, in space "
+          "its "
           "angle to the vertical; none")
       ->check(one_of(names))
       ->default_str("force")
@@ -103,14 +104,15 @@ void add_render(CLI::App& app) {
       ->type_name("N");
   command
       ->add_option("--pixels", options->render.pixels,
-                    "longer side of the drawn window [default: 8 per d_p, 1200 to 4000; in space "
+                   "longer side of the drawn window [default: 8 per d_p, 1200 to 4000; in space "
                    "1400]")
       ->check(whole_number(100, 20000))
       ->type_name("N");
   command
-      ->add_option("--azimuth", options->azimuth,
-                   "in space: where it is seen from, degrees about the vertical, from the next axis "
-                   "in the order x, y, z, x towards the one after [default: 30]")
+      ->add_option(
+          "--azimuth", options->azimuth,
+          "in space: where it is seen from, degrees about the vertical, from the next axis "
+          "in the order x, y, z, x towards the one after [default: 30]")
       ->check(number(-360, 360))
       ->type_name("DEG");
   command

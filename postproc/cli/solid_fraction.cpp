@@ -40,10 +40,8 @@ void solid_fraction_in_plane(const FieldInput& options) {
 
 void solid_fraction_in_space(const FieldInput& options) {
   VerticalProfileSample sample(options.fields);
-  options.for_spatial_packings(
-      false, [&](const SpatialPacking& packing, const Frame& bodies, const Frame*) {
-        sample.add(packing, bodies, nullptr);
-      });
+  options.for_spatial_packings(false, [&](const SpatialPacking& packing, const Frame& bodies,
+                                          const Frame*) { sample.add(packing, bodies, nullptr); });
   const auto profile = sample.result();
   const SpatialFields all(options, false);
   const auto& stem = options.stem;
@@ -51,9 +49,8 @@ void solid_fraction_in_space(const FieldInput& options) {
   written += ", " + write_fields(all.sample, {"number_density", "solid_fraction"}, all.time,
                                  stem + "_grid");
   written += ", " + draw_solid_fraction_maps(all.sample, stem + "_map");
-  std::cout << all.report() << "over the cross-section of "
-            << number_text(profile.cross_section, 4) << " m^2: " << solid_fraction_line(profile)
-            << "written: " << written << '\n';
+  std::cout << all.report() << "over the cross-section of " << number_text(profile.cross_section, 4)
+            << " m^2: " << solid_fraction_line(profile) << "written: " << written << '\n';
 }
 
 }  // namespace
@@ -70,7 +67,8 @@ void add_solid_fraction(CLI::App& app) {
   command->footer(
       "Example:\n"
       "  rodpack solid-fraction 'results/quick/dumps/bodies.*.dump' -o phi\n"
-      "writes phi.vti, phi.csv and phi.png/.svg; in space, with --vertical, phi.csv and phi.png/.svg\n"
+      "writes phi.vti, phi.csv and phi.png/.svg; in space, with --vertical, phi.csv and "
+      "phi.png/.svg\n"
       "over height, phi_grid.vti, phi_grid.csv and the maps phi_map and phi_map_across.");
   add_files(*command, options->input, "bodies");
   add_all_frames(*command, options->input);

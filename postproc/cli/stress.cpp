@@ -44,7 +44,8 @@ void add_stress(CLI::App& app) {
       "reads the contacts.*.dump beside them; writes stress.vti, stress.csv and\n"
       "stress_pressure.png/.svg, the pressure with crosses along the principal directions.\n"
       "  rodpack stress bodies.dump --vertical z --slice x=0.01 --slice z=0.02\n"
-      "draws, in space, stress_pressure_x_0.01 and stress_pressure_z_0.02; in a cylinder there are\n"
+      "draws, in space, stress_pressure_x_0.01 and stress_pressure_z_0.02; in a cylinder there "
+      "are\n"
       "stress_rings.csv and stress_pressure_rings too.");
   add_files(*command, options->input, "bodies");
   add_contact_options(*command, *options);

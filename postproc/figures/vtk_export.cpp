@@ -168,6 +168,14 @@ void write_vtp(const Frame& frame, DumpKind kind, const std::string& file) {
 
 namespace {
 
+void require_bodies(const std::vector<std::string>& files) {
+  for (const auto& file : files) {
+    Frame frame;
+    if (DumpReader(file).next(frame) && kind_of(frame) == DumpKind::bodies) return;
+  }
+  throw DataError("--capsules: expected a dump of bodies, found none");
+}
+
 // The index of the frames of one kind, by their times.
 std::string pvd_text(const std::map<long, std::string>& frames, double timestep_s) {
   std::string text =
@@ -183,6 +191,7 @@ std::string pvd_text(const std::map<long, std::string>& frames, double timestep_
 
 std::vector<std::string> export_vtk(const std::vector<std::string>& files,
                                     const std::string& folder, double timestep_s, bool capsules) {
+  if (capsules) require_bodies(files);
   std::vector<std::string> written;
   std::map<std::string, std::map<long, std::string>> index;
   std::map<DumpKind, FramePool> pools;
@@ -207,8 +216,6 @@ std::vector<std::string> export_vtk(const std::vector<std::string>& files,
     if (capsules && kind == DumpKind::bodies)
       write_capsules(frame, add("capsules", frame.timestep));
   });
-  if (capsules && !pools.count(DumpKind::bodies))
-    throw DataError("--capsules: expected a dump of bodies, found none");
   for (const auto& [kind, frames] : index) {
     const auto path = (std::filesystem::path(folder) / (kind + ".pvd")).string();
     write_text(path, pvd_text(frames, timestep_s));

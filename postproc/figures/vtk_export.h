@@ -39,8 +39,8 @@ void write_poly_data(vtkPolyData* data, const std::string& file);
 
 /// Writes every frame of every dump as `folder`/<kind>.<timestep>.vtp and, per kind, the time index
 /// `folder`/<kind>.pvd, which ParaView opens; the files written are returned. Times are
-/// timestep * `timestep_s`, in s; 0 = unknown: the index then holds timesteps. `capsules`: of bodies
-/// write_capsules() too, as capsules.<timestep>.vtp.
+/// timestep * `timestep_s`, in s; 0 = unknown: the index then holds timesteps. `capsules`: of
+/// bodies write_capsules() too, as capsules.<timestep>.vtp.
 std::vector<std::string> export_vtk(const std::vector<std::string>& files,
                                     const std::string& folder, double timestep_s,
                                     bool capsules = false);

@@ -41,15 +41,29 @@ void remove_own_outputs(const fs::path& out) {
   fs::remove(out / "report.html", ignored);  // the page of them all, which write_run_page() makes
   for (const std::string table :
        {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination",
-        "fields", "fields_rings", "profile", "orientation_azimuth", "orientation_order", "rdf_axial",
-        "forces_fabric", "forces_fabric_order"})
+        "fields", "fields_rings", "profile", "orientation_azimuth", "orientation_order",
+        "rdf_axial", "forces_fabric", "forces_fabric_order"})
     fs::remove(out / (table + ".csv"), ignored);
-  for (const std::string figure :
-       {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
-        "forces", "forces_friction", "forces_coordination", "forces_chains", "solid_fraction_map",
-        "pressure_map", "profile", "orientation_azimuth", "rdf_axial", "forces_fabric",
-        "solid_fraction_map_across", "solid_fraction_map_rings", "pressure_map_across",
-        "pressure_map_rings"})
+  for (const std::string figure : {"orientation",
+                                   "orientation_polar",
+                                   "rdf",
+                                   "solid_fraction",
+                                   "energies",
+                                   "packing",
+                                   "forces",
+                                   "forces_friction",
+                                   "forces_coordination",
+                                   "forces_chains",
+                                   "solid_fraction_map",
+                                   "pressure_map",
+                                   "profile",
+                                   "orientation_azimuth",
+                                   "rdf_axial",
+                                   "forces_fabric",
+                                   "solid_fraction_map_across",
+                                   "solid_fraction_map_rings",
+                                   "pressure_map_across",
+                                   "pressure_map_rings"})
     for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
   for (const std::string kind : {"bodies", "capsules", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {

@@ -152,7 +152,8 @@ int report_fields_in_space(const SpatialPacking& packing, const Frame& bodies,
   } else {
     summary[key] = nullptr;
     summary["notes"].push_back(
-        "solid fraction: no place is further than 3 omega from walls, floor and surface; --scale of "
+        "solid fraction: no place is further than 3 omega from walls, floor and surface; --scale "
+        "of "
         "rodpack solid-fraction makes omega smaller");
   }
   return 1;

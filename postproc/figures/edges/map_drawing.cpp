@@ -53,10 +53,10 @@ void draw_map(const FieldMap& map, const std::string& stem) {
                   "set size ratio -1\nset tics out nomirror\n"
                   "set xlabel '" +
                   map.x_label + "'\nset ylabel '" + map.y_label + "'\nset cblabel '" +
-                  map.value_label + "'\nset cbrange [0:*]\nset xrange [" +
-                  number_text(shown.left) + ":" + number_text(shown.right) + "]\nset yrange [" +
-                  number_text(shown.bottom) + ":" + number_text(shown.top) +
-                  "]\nplot $map using 1:2:3 with image" + map.edges + map.over + "\n");
+                  map.value_label + "'\nset cbrange [0:*]\nset xrange [" + number_text(shown.left) +
+                  ":" + number_text(shown.right) + "]\nset yrange [" + number_text(shown.bottom) +
+                  ":" + number_text(shown.top) + "]\nplot $map using 1:2:3 with image" + map.edges +
+                  map.over + "\n");
 }
 
 void add_crosses(const PlaneStress& stress, std::size_t columns, FieldMap& map) {
@@ -71,8 +71,7 @@ void add_crosses(const PlaneStress& stress, std::size_t columns, FieldMap& map) 
   const double longer = std::max(map.spacing[0] * static_cast<double>(columns),
                                  map.spacing[1] * static_cast<double>(rows));
   const auto stride = [&](std::size_t axis) {
-    return static_cast<std::size_t>(
-        std::max(1L, std::lround(longer / 20 / map.spacing[axis])));
+    return static_cast<std::size_t>(std::max(1L, std::lround(longer / 20 / map.spacing[axis])));
   };
   const std::size_t step_x = stride(0), step_y = stride(1);
   const double arm = std::min(static_cast<double>(step_x) * map.spacing[0],

@@ -32,7 +32,7 @@ std::vector<Joint> joints_of(const Frame& spheres, const std::vector<std::size_t
     const auto a = order[k - 1], b = order[k];
     if (body[a] != body[b]) continue;
     const double size = std::min(radius[a], radius[b]), joint = size / 2;
-    const double half_distance = 
+    const double half_distance =
         0.5 * std::hypot(x[b] - x[a], y[b] - y[a], z ? (*z)[b] - (*z)[a] : 0);
     // Deep overlaps need none; across a periodic side there is none. Drawn 5 % smaller, the spheres
     // of a coarse particle keep a gap.

@@ -16,8 +16,8 @@ using SeenPlace = Vector3;
 class Camera {
  public:
   /// Looks at `target` from a distance, in the direction that azimuth and elevation (degrees) say:
-  /// azimuth about the coordinate axis `vertical` (0 to 2), from the next axis in the order x, y, z,
-  /// x towards the one after; elevation above the horizontal, within +-90, not those.
+  /// azimuth about the coordinate axis `vertical` (0 to 2), from the next axis in the order x, y,
+  /// z, x towards the one after; elevation above the horizontal, within +-90, not those.
   Camera(const Vector3& target, double distance, double azimuth, double elevation,
          std::size_t vertical);
   SeenPlace see(const Vector3& place) const;

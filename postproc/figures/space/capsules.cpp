@@ -39,7 +39,8 @@ struct Centreline {
 // One point for a sphere; of an arc points some 10 degrees apart.
 Centreline centreline_of(int spheres, double half_length, double radius, double curvature) {
   if (spheres < 2 || half_length <= radius) return {{{{0, 0}}}, {0}};
-  const auto shape = shape_of_body(spheres, half_length / radius, 2 * radius, 2 * radius, curvature);
+  const auto shape =
+      shape_of_body(spheres, half_length / radius, 2 * radius, 2 * radius, curvature);
   const int count = 2 + static_cast<int>(std::ceil(curvature / (10 * degree) - 1e-9));
   Centreline line{centreline_points(shape, count), {}};
   // From the middle of the centreline to the centre of mass.
@@ -110,11 +111,11 @@ class CapsuleMesh {
       const vtkIdType next = (k + 1) % corners_around;
       std::vector<vtkIdType> cell;
       if (a_is_pole)
-        cell = {a, b + k, b + next};
+        cell = {a, b + next, b + k};
       else if (b_is_pole)
-        cell = {a + k, b, a + next};
+        cell = {a + k, a + next, b};
       else
-        cell = {a + k, b + k, b + next, a + next};
+        cell = {a + k, a + next, b + next, b + k};
       cells->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
       row_of_cell.push_back(row);
     }

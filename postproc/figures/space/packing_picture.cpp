@@ -43,8 +43,8 @@ TracedBed bed_of(const Frame& spheres, const RenderOptions& options, double diam
   const auto up = walls.vertical;
   bed.top = walls.periodic[up] ? walls.high[up] : walls.low[up];
   for (std::size_t i = 0; i < spheres.rows; ++i) {
-    bed.centre.push_back({(*place[0])[i] / diameter, (*place[1])[i] / diameter,
-                          (*place[2])[i] / diameter});
+    bed.centre.push_back(
+        {(*place[0])[i] / diameter, (*place[1])[i] / diameter, (*place[2])[i] / diameter});
     bed.radius.push_back(radius[i] / diameter);
     bed.top = std::max(bed.top, bed.centre.back()[up] + bed.radius.back() + 0.5);
   }
@@ -164,11 +164,8 @@ View view_of(const TracedBed& bed, double azimuth, double elevation) {
   for (std::size_t i = 0; i < bed.centre.size(); ++i)
     reach = std::max(reach, from_middle(bed.centre[i]) + bed.radius[i]);
   const double distance = 3.5 * reach;
-  View view{{middle, distance, azimuth, elevation, walls.vertical},
-            {},
-            distance,
-            distance,
-            distance};
+  View view{
+      {middle, distance, azimuth, elevation, walls.vertical}, {}, distance, distance, distance};
   const auto include = [&](const Vector3& place, double radius) {
     const auto seen = view.camera.see(place);
     view.frustum.include(seen, radius);
@@ -198,12 +195,13 @@ void render_in_space(const Frame& spheres, const RenderOptions& options, const s
 
   TracedScene scene;
   add_container(bed, view.camera, options.azimuth, 1.2 * view.distance / per_unit, scene);
-  add_spheres(spheres, bed, view.camera, [&](std::size_t i) { return scale.shade(i); }, scene);
+  add_spheres(
+      spheres, bed, view.camera, [&](std::size_t i) { return scale.shade(i); }, scene);
   const auto traced = stem + ".traced.png";
-  trace_rays(scene.text(seen, static_cast<std::size_t>(std::lround(width * per_unit)),
-                        static_cast<std::size_t>(std::lround(height * per_unit)), view.near,
-                        view.far),
-             traced);
+  trace_rays(
+      scene.text(seen, static_cast<std::size_t>(std::lround(width * per_unit)),
+                 static_cast<std::size_t>(std::lround(height * per_unit)), view.near, view.far),
+      traced);
 
   // The picture's plane is that of the middle of the bed, m.
   const double plane = view.distance * diameter;

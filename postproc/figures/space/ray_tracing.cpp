@@ -19,9 +19,9 @@ std::string vector_text(const SeenPlace& place) {
 std::string texture(const std::string& colour, double ambient) {
   unsigned red = 0, green = 0, blue = 0;
   std::sscanf(colour.c_str(), "#%2x%2x%2x", &red, &green, &blue);
-  return "TEXTURE AMBIENT " + number_text(ambient, 3) + " DIFFUSE " +
-         number_text(1 - ambient, 3) + " SPECULAR 0 OPACITY 1 COLOR " + number_text(red / 255.0, 4) +
-         " " + number_text(green / 255.0, 4) + " " + number_text(blue / 255.0, 4) + " TEXFUNC 0\n";
+  return "TEXTURE AMBIENT " + number_text(ambient, 3) + " DIFFUSE " + number_text(1 - ambient, 3) +
+         " SPECULAR 0 OPACITY 1 COLOR " + number_text(red / 255.0, 4) + " " +
+         number_text(green / 255.0, 4) + " " + number_text(blue / 255.0, 4) + " TEXFUNC 0\n";
 }
 
 }  // namespace

@@ -28,8 +28,7 @@ std::vector<Rectangle> places_with(const FieldMap& map, std::size_t columns,
     if (goes_on)
       parts.back().right = map.x[i] + half_x;
     else
-      parts.push_back(
-          {map.x[i] - half_x, map.x[i] + half_x, map.y[i] - half_y, map.y[i] + half_y});
+      parts.push_back({map.x[i] - half_x, map.x[i] + half_x, map.y[i] - half_y, map.y[i] + half_y});
   }
   return parts;
 }

@@ -191,8 +191,7 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
   if (!walls.periodic[up]) {
     const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
     // Only ratios of the layers' contents matter: mass serves as volume does.
-    packing.surface =
-        bed_surface(*place[up], bodies.column("mass"), walls.low[up], 1.0, layer);
+    packing.surface = bed_surface(*place[up], bodies.column("mass"), walls.low[up], 1.0, layer);
   }
   return packing;
 }

@@ -63,12 +63,13 @@ std::optional<std::size_t> find_vertical(const std::string& dump, const std::str
                                          const SpaceOptions& space);
 
 /// Whether the frame of bodies or of spheres is a scene in space: particles off their common plane
-/// z = constant, or a vertical other than y. @throws DataError when particles are off their plane and nobody says
-/// which axis is the vertical one (SpaceOptions::vertical, `vertical_axis` of parameters.json).
+/// z = constant, or a vertical other than y. @throws DataError when particles are off their plane
+/// and nobody says which axis is the vertical one (SpaceOptions::vertical, `vertical_axis` of
+/// parameters.json).
 bool is_in_space(const Frame& frame, const PackingOptions& options, const SpaceOptions& space);
 
-/// Finds the container of a frame in space: the options, else `container` ("box" or "cylinder", from
-/// 0 to container_width_m, floor at 0) of parameters.json, else the box bounds of the dump.
+/// Finds the container of a frame in space: the options, else `container` ("box" or "cylinder",
+/// from 0 to container_width_m, floor at 0) of parameters.json, else the box bounds of the dump.
 /// @throws DataError when the vertical is unknown, or walls contradict each other or a period.
 SpatialWalls read_spatial_walls(const Frame& frame, const PackingOptions& options,
                                 const SpaceOptions& space);

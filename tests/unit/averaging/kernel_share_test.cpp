@@ -99,8 +99,11 @@ TEST(KernelShare, ARectangleTakesTwoDimensionsAndSpaceAGaussianOfThree) {
   const UprightContainer cube{{{0, 0, 0}}, {{1, 1, 1}}};
   for (const AveragingKernel& kernel :
        {AveragingKernel(KernelShape::gaussian, 2, 1), AveragingKernel(KernelShape::lucy, 3, 1)})
-    EXPECT_THAT([&] { kernel_share(kernel, Vector{{0, 0, 0}}, cube); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("a gaussian of 3 dimensions")));
+    EXPECT_THAT(
+        [&] {
+          kernel_share(kernel, Vector{{0, 0, 0}}, cube);
+        },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("a gaussian of 3 dimensions")));
 }
 
 // On a face, an edge and a corner of an octant a half, a quarter and an eighth; within a cylinder
@@ -149,7 +152,8 @@ TEST(KernelShare, AUniformCylinderIsFlatUpToItsWall) {
   for (double x = -2 + a / 2; x < 2; x += a)
     for (double y = -2 + a / 2; y < 2; y += a)
       for (double z = a / 2; z < 4; z += a)
-        if (x * x + y * y < 4) averages.add(Particle{{{x, y, z}}, {{0, 0, 0}}, 1, 0.6 * a * a * a, {}});
+        if (x * x + y * y < 4)
+          averages.add(Particle{{{x, y, z}}, {{0, 0, 0}}, 1, 0.6 * a * a * a, {}});
   auto fields = averages.fields();
   normalise_by_share(averages, cylinder, fields);
   const auto& phi = named(fields, "solid_fraction").values[0];

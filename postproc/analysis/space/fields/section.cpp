@@ -62,8 +62,7 @@ std::string Slice::name() const { return section_axis(axis) + "_" + number_text(
 Vector3 section_origin(const SpatialWalls& walls) {
   Vector3 origin = walls.low;
   if (walls.round)
-    for (const std::size_t which : {0U, 1U})
-      origin[walls.horizontal(which)] = walls.middle[which];
+    for (const std::size_t which : {0U, 1U}) origin[walls.horizontal(which)] = walls.middle[which];
   return origin;
 }
 
@@ -74,12 +73,13 @@ Section slice_section(const Slice& slice, const SpatialWalls& walls, const Coars
   const std::size_t v = level ? walls.horizontal(1) : up;
   const std::size_t u = 3 - slice.axis - v;
   const Grid& grid = *averages.grid();
-  const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(grid.count[0]),
-                                        static_cast<std::size_t>(grid.count[0]) *
-                                            static_cast<std::size_t>(grid.count[1])};
+  const std::array<std::size_t, 3> step{
+      1, static_cast<std::size_t>(grid.count[0]),
+      static_cast<std::size_t>(grid.count[0]) * static_cast<std::size_t>(grid.count[1])};
   const auto origin = section_origin(walls);
   Section section;
-  section.count = {static_cast<std::size_t>(grid.count[u]), static_cast<std::size_t>(grid.count[v])};
+  section.count = {static_cast<std::size_t>(grid.count[u]),
+                   static_cast<std::size_t>(grid.count[v])};
   section.spacing = {grid.spacing[u], grid.spacing[v]};
   section.name = {section_axis(u), section_axis(v)};
   section.component = {u, v};

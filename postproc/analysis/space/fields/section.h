@@ -42,9 +42,9 @@ Vector3 section_origin(const SpatialWalls& walls);
 Section slice_section(const Slice& slice, const SpatialWalls& walls, const CoarseGraining& averages,
                       const std::vector<Field>& fields);
 
-/// Places on rings about the axis of a cylinder, at even steps of radius, from the axis to the wall,
-/// and height, and on each at even steps of the azimuth of about `arc`. Sums over them of a Gaussian
-/// of standard deviation w err by exp(-2 (pi w / arc)^2).
+/// Places on rings about the axis of a cylinder, at even steps of radius, from the axis to the
+/// wall, and height, and on each at even steps of the azimuth of about `arc`. Sums over them of a
+/// Gaussian of standard deviation w err by exp(-2 (pi w / arc)^2).
 class Rings {
  public:
   /// `spacing`: of radii and heights, roughly, m; `top`: of the heights, along the vertical, m.
@@ -60,8 +60,8 @@ class Rings {
   std::array<std::size_t, 2> count_{};
   std::array<double, 2> spacing_{};
   std::vector<Vector> places_;
-  std::vector<double> azimuth_;       // of each place
-  std::vector<std::size_t> ring_;     // of each place, radius fastest
+  std::vector<double> azimuth_;    // of each place
+  std::vector<std::size_t> ring_;  // of each place, radius fastest
 };
 
 /// Writes a CSV table of a section: r_over_dp, z_over_dp (as u and v are called), then every

@@ -8,7 +8,6 @@
 
 #include "analysis/edges/undisturbed.h"
 #include "reading/number_text.h"
-#include "rodpack/averaging/kernel_share.h"
 
 namespace rodpack {
 namespace {

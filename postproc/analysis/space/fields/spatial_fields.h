@@ -10,14 +10,15 @@
 #include "analysis/fields.h"
 #include "analysis/space/fields/section.h"
 #include "reading/space/spatial_packing.h"
+#include "rodpack/averaging/kernel_share.h"
 
 namespace rodpack {
 
 /// Returns the scale w of the averaging in space, m: that of the options, else AR d_p / 2.
 double averaging_scale(const SpatialPacking& packing, const FieldOptions& options);
 
-/// Returns the slices that are drawn where nobody asks for others: an upright one through the middle
-/// of the container, and a level one at half the height of the bed.
+/// Returns the slices that are drawn where nobody asks for others: an upright one through the
+/// middle of the container, and a level one at half the height of the bed.
 std::vector<Slice> middle_slices(const SpatialPacking& packing);
 
 /// Returns how far a place is from the walls and the surface of the bed beyond which the averages

@@ -23,11 +23,11 @@ double kernel_share(const AveragingKernel& kernel, double x, double y, const Rec
 /// there is no wall.
 struct UprightContainer {
   Vector low, high;
-  std::size_t vertical = 2;         // the axis that it stands along, 0 to 2
-  bool round = false;               // the side wall is a cylinder; `low` and `high` of the others
-                                    // two axes are of no meaning then
-  std::array<double, 2> middle{};   // its axis, along the two axes after the vertical one in the
-                                    // order x, y, z, x
+  std::size_t vertical = 2;        // the axis that it stands along, 0 to 2
+  bool round = false;              // the side wall is a cylinder; `low` and `high` of the others
+                                   // two axes are of no meaning then
+  std::array<double, 2> middle{};  // its axis, along the two axes after the vertical one in the
+                                   // order x, y, z, x
   double radius = 0;
   /// Whether a place lies in it, or beyond its walls by at most `slack`, m.
   bool contains(const Vector& place, double slack = 0) const;
