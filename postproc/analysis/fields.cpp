@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "analysis/space/body_volumes.h"
 #include "reading/angles.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
@@ -31,7 +32,7 @@ Vector vector_at(const Frame& frame, const std::array<const char*, 3>& columns, 
 
 Grid checked_grid(const Grid& grid) {
   constexpr double most = 1e6;  // some 500 MB of fields
-  const double places = double{1} * grid.count[0] * grid.count[1];
+  const double places = double{1} * grid.count[0] * grid.count[1] * grid.count[2];
   if (!(places <= most))
     throw DataError("grid: expected at most " + number_text(most) + " places, found " +
                     number_text(places) + " (spacing " + number_text(grid.spacing[1], 4) + " m)");
@@ -113,7 +114,8 @@ CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptio
   return averaging;
 }
 
-std::vector<Particle> read_particles(const Frame& bodies, const std::vector<TouchingPair>& pairs) {
+std::vector<Particle> read_particles(const Frame& bodies, const std::vector<double>& extent,
+                                     const std::vector<TouchingPair>& pairs) {
   std::unordered_map<long, Touching> touching;
   for (const auto& pair : pairs)
     for (const long body : {pair.i, pair.j}) {
@@ -121,12 +123,11 @@ std::vector<Particle> read_particles(const Frame& bodies, const std::vector<Touc
       touching[body].contacts += pair.contacts;
     }
   const auto& id = bodies.column("id");
-  const auto& area = bodies.column("area");
   const auto& mass = bodies.column("mass");
   std::vector<Particle> particles;
   for (std::size_t row = 0; row < bodies.rows; ++row)
     particles.push_back({vector_at(bodies, {"x", "y", "z"}, row),
-                         vector_at(bodies, {"vx", "vy", "vz"}, row), mass[row], area[row],
+                         vector_at(bodies, {"vx", "vy", "vz"}, row), mass[row], extent[row],
                          touching[static_cast<long>(id[row])]});
   return particles;
 }
@@ -162,14 +163,19 @@ void require_near(const Frame& contacts, const std::vector<SphereContact>& read,
 
 }  // namespace
 
-void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts) {
+void AveragedFrame::add_to(CoarseGraining& averages) const {
+  for (const auto& interaction : interactions) averages.add(interaction);
+  for (const auto& particle : particles) averages.add(particle);
+}
+
+AveragedFrame averaged_frame(const Frame& bodies, const Frame* contacts, int dimension) {
   ContactPairs pairs;
   if (contacts) {
     if (contacts->timestep != bodies.timestep)
       throw DataError(where(*contacts) + ": contacts of timestep " +
                       std::to_string(contacts->timestep) + ", expected " +
                       std::to_string(bodies.timestep) + " as in " + bodies.file);
-    require_planar_contacts(*contacts);
+    if (dimension == 2) require_planar_contacts(*contacts);
     const auto read = read_contacts(*contacts);
     std::unordered_set<long> known;
     for (const double id : bodies.column("id")) known.insert(static_cast<long>(id));
@@ -181,8 +187,12 @@ void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* conta
     require_near(*contacts, read, bodies);
     pairs = sum_pairs(read);
   }
-  for (const auto& interaction : pairs.interactions) averages.add(interaction);
-  for (const auto& particle : read_particles(bodies, pairs.pairs)) averages.add(particle);
+  const auto extent = dimension == 2 ? bodies.column("area") : body_volumes(bodies);
+  return {read_particles(bodies, extent, pairs.pairs), pairs.interactions};
+}
+
+void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts) {
+  averaged_frame(bodies, contacts, averages.kernel().dimension()).add_to(averages);
 }
 
 void FieldSample::add(const Packing& packing, const Frame& bodies, const Frame* contacts) {

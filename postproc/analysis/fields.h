@@ -41,9 +41,10 @@ double averaging_scale(const Packing& packing, const FieldOptions& options);
 /// @throws DataError when a column is missing.
 std::vector<SphereContact> read_contacts(const Frame& contacts);
 
-/// Reads the rows of a bodies dump (id x y z vx vy vz area mass); how many others each touches from
-/// `pairs`.
-std::vector<Particle> read_particles(const Frame& bodies, const std::vector<TouchingPair>& pairs);
+/// Reads the rows of a bodies dump (id x y z vx vy vz mass); how many others each touches from
+/// `pairs`. `extent`: covered area or volume of each, m^2 or m^3.
+std::vector<Particle> read_particles(const Frame& bodies, const std::vector<double>& extent,
+                                     const std::vector<TouchingPair>& pairs);
 
 /// Choose kernel, line rule and periods for a two-dimensional packing.
 AveragingKernel averaging_kernel(const Packing& packing, const FieldOptions& options);
@@ -52,10 +53,18 @@ CoarseGrainingOptions averaging_options(const Packing& packing, const FieldOptio
 /// Returns `grid`. @throws DataError when it has more places than memory is meant for.
 Grid checked_grid(const Grid& grid);
 
-/// Adds the particles of a bodies frame and, unless null, the contacts of the same timestep to the
-/// sums.
-/// @throws DataError when a column is missing, the timesteps differ, or a contact names a particle
-/// that is not among the bodies.
+/// What one frame adds to the sums.
+struct AveragedFrame {
+  std::vector<Particle> particles;
+  std::vector<Interaction> interactions;
+  void add_to(CoarseGraining& averages) const;
+};
+/// Reads it from the particles of a bodies frame and, unless null, the contacts of the same
+/// timestep; `dimension`: 2, with the column `area`, or 3, with body_volumes().
+/// @throws DataError when a column is missing, the timesteps differ, a contact names a particle
+/// that is not among the bodies or is far from it, or, in two dimensions, is out of the plane.
+AveragedFrame averaged_frame(const Frame& bodies, const Frame* contacts, int dimension);
+/// Adds it to the sums. @throws as averaged_frame().
 void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* contacts);
 
 /// Fields on the grid of FieldOptions, averaged over the frames that were added; the walls, the

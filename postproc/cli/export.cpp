@@ -15,6 +15,7 @@ void add_export(CLI::App& app) {
     std::vector<std::string> patterns;
     std::string folder = "vtk";
     double timestep = 0;
+    bool capsules = false;
   };
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("export",
@@ -26,6 +27,8 @@ void add_export(CLI::App& app) {
       "  rodpack export 'results/quick/dumps/*.dump' -o vtk\n"
       "then open vtk/spheres.pvd in ParaView and glyph with spheres scaled by 2 radius_m;\n"
       "vtk/contacts.pvd holds a line per contact (tube filter, colour by contact_force_N).\n"
+      "  rodpack export 'results/ar2/dumps/bodies.*.dump' --capsules\n"
+      "writes vtk/capsules.pvd too, the surfaces of rods, straight or bent: no glyphs needed.\n"
       "Units stand in the names of the arrays; positions are in m, times in s.");
   command
       ->add_option("dumps", options->patterns,
@@ -40,6 +43,8 @@ void add_export(CLI::App& app) {
           "one folder up; unknown: the index counts timesteps]")
       ->check(positive_number(1e6))
       ->type_name("S");
+  command->add_flag("--capsules", options->capsules,
+                    "the surfaces of the bodies too, as spherocylinders");
   command->add_option("-o,--output", options->folder, "folder to write to")
       ->check(name_of_folder())
       ->capture_default_str()
@@ -51,7 +56,7 @@ void add_export(CLI::App& app) {
     Frame first;
     if (timestep == 0 && DumpReader(files.front()).next(first))
       timestep = find_timestep(first, "").value_or(0);
-    const auto written = export_vtk(files, options->folder, timestep);
+    const auto written = export_vtk(files, options->folder, timestep, options->capsules);
     std::cout << "written: " << written.size() << " files in " << options->folder << '\n';
   });
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/field_input.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "cli/checks.h"
 #include "reading/number_text.h"
+#include "reading/parsing.h"
 #include "reading/scene/run_scene.h"
 
 namespace rodpack::cli {
@@ -33,13 +35,28 @@ FieldOptions checked(const FieldInput& options) {
   return fields;
 }
 
+// Reads "y=0.018"; false when it is none.
+bool parse_slice(const std::string& word, Slice& slice) {
+  const auto axis = std::string("xyz").find(word.substr(0, 1));
+  if (word.size() < 3 || word[1] != '=' || axis == std::string::npos) return false;
+  slice.axis = axis;
+  return parse_number(std::string_view(word).substr(2), slice.at) && std::abs(slice.at) <= 1e6;
+}
+
+std::vector<Slice> slices_of(const FieldInput& options) {
+  std::vector<Slice> slices;
+  for (const auto& word : options.slices) parse_slice(word, slices.emplace_back());
+  return slices;
+}
+
 }  // namespace
 
 void add_kernel_options(CLI::App& command, FieldInput& options) {
   auto& fields = options.fields;
   auto* metres =
       command
-          .add_option("--scale", fields.scale, "scale w of the averaging, m [default: 3 AR d_p]")
+          .add_option("--scale", fields.scale,
+                      "scale w of the averaging, m [default: 3 AR d_p, in space AR d_p / 2]")
           ->check(length())
           ->type_name("M");
   command.add_option("--scale-in-dp", fields.scale_in_diameters, "the same in d_p")
@@ -67,7 +84,9 @@ void add_kernel_options(CLI::App& command, FieldInput& options) {
           "above it all is 0)")
       ->check(one_of({"none", "walls", "walls-and-surface"}))
       ->default_str("none");
-  command.add_option("--spacing", fields.spacing, "of the grid, m [default: w/4]")
+  command
+      .add_option("--spacing", fields.spacing,
+                  "of the grid, m [default: w/4, of a grid in space w/2]")
       ->check(length())
       ->type_name("M");
 }
@@ -95,6 +114,24 @@ void add_window(CLI::App& command, FieldInput& options) {
       ->expected(4)
       ->check(place())
       ->type_name("XLO XHI YLO YHI");
+}
+
+void add_slices(CLI::App& command, FieldInput& options) {
+  command
+      .add_option("--slice", options.slices,
+                  "in space: a plane to draw, m; may repeat [default: an upright one through the "
+                  "middle of the container and a level one at half the height of the bed]")
+      ->check(CLI::Validator(
+          [](std::string& word) {
+            Slice slice{};
+            return parse_slice(word, slice) ? std::string()
+                                            : "expected an axis and a place, such as y=0.018, "
+                                              "found '" +
+                                                  shortened(word) + "'";
+          },
+          ""))
+      ->allow_extra_args(false)
+      ->type_name("AXIS=M");
 }
 
 std::vector<std::string> FieldInput::contact_files() const {
@@ -136,12 +173,6 @@ void FieldInput::for_spatial_packings(bool with_contacts, const SpatialVisit& vi
   });
 }
 
-void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names) {
-  for (const auto& name : names)
-    if (command.count(name) > 0)
-      throw CLI::ValidationError(name, "expected in a scene in a plane alone");
-}
-
 std::string solid_fraction_line(const VerticalProfile& profile) {
   const auto mean = mean_solid_fraction(profile);
   return "solid fraction, 3 w from floor and surface: " +
@@ -163,6 +194,32 @@ std::string GriddedFields::report() const {
   const Grid& grid = *sample.averages().grid();
   return describe(packing) + "\nw = " + number_text(sample.averages().kernel().scale(), 4) +
          " m, grid " + std::to_string(grid.count[0]) + " x " + std::to_string(grid.count[1]) +
+         "\n" + passed_over;
+}
+
+SpatialFields::SpatialFields(const FieldInput& options, bool with_contacts)
+    : sample(options.fields, slices_of(options)) {
+  options.for_spatial_packings(
+      with_contacts, [&](const SpatialPacking& each, const Frame& bodies, const Frame* contacts) {
+        time = time_of(bodies, options.input.packing);
+        sample.add(each, bodies, contacts);
+      });
+  passed_over = options.input.passed_over_line();
+}
+
+std::string SpatialFields::report() const {
+  const Grid& grid = *sample.averages().grid();
+  const auto interior = interior_solid_fraction(sample);
+  std::string counts;
+  for (const int count : grid.count)
+    counts += (counts.empty() ? "" : " x ") + std::to_string(count);
+  return describe(sample.packing()) +
+         "\nw = " + number_text(sample.averages().kernel().scale(), 4) + " m, grid " + counts +
+         "\nsolid fraction where no wall and no surface disturbs it: " +
+         (interior ? number_text(interior->mean, 4) + ", standard deviation " +
+                         number_text(interior->deviation, 2) + " over " +
+                         std::to_string(interior->places) + " places"
+                   : std::string("none, the bed is too small")) +
          "\n" + passed_over;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/fields.h"
+#include "analysis/space/fields/spatial_fields.h"
 #include "analysis/space/vertical_profile.h"
 #include "cli/input.h"
 
@@ -19,6 +20,7 @@ struct FieldInput {
   std::vector<std::string> contacts;
   FieldOptions fields;
   std::vector<double> window;
+  std::vector<std::string> slices;  // "y=0.018"
   std::string stem;
 
   /// Calls `visit` with the last frame, or with every frame if the user asks for all; the contacts
@@ -41,9 +43,9 @@ struct FieldInput {
 void add_kernel_options(CLI::App& command, FieldInput& options);
 void add_contact_options(CLI::App& command, FieldInput& options);
 void add_window(CLI::App& command, FieldInput& options);
+/// Adds --slice, of scenes in space.
+void add_slices(CLI::App& command, FieldInput& options);
 
-/// Refuses options that a scene in space has no use for: its kernel is a Gaussian, in closed form.
-void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names);
 /// "solid fraction, 3 w from floor and surface: ..." for the terminal.
 std::string solid_fraction_line(const VerticalProfile& profile);
 
@@ -56,6 +58,17 @@ struct GriddedFields {
   GriddedFields(const FieldInput& options, bool with_contacts);
   std::string passed_over;     // frames that did not count, as a line for the report
   std::string report() const;  // packing, scale and grid, for the terminal
+};
+
+/// The same in space.
+struct SpatialFields {
+  SpatialFieldSample sample;
+  double time = 0;
+
+  SpatialFields(const FieldInput& options, bool with_contacts);
+  std::string passed_over;
+  /// Packing, scale, grid, and the solid fraction that neither wall nor surface disturbs.
+  std::string report() const;
 };
 
 }  // namespace rodpack::cli

@@ -10,14 +10,13 @@
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
-#include "figures/contact_forces_figure.h"
 #include "figures/force_chains_figure.h"
 #include "figures/render.h"
-#include "figures/space/direction_figure.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/packing.h"
 #include "reading/scene/run_scene.h"
+#include "report/outputs.h"
 
 namespace rodpack::cli {
 namespace {
@@ -97,13 +96,8 @@ void measure(const ForcesArguments& options) {
   std::optional<Fabric> fabric;
   if (vertical) fabric = measure_fabric(sample.normals(), sample.normal_forces(), *vertical);
   const auto& stem = options.stem;
-  write_contact_force_tables(forces, stem);
-  plot_contact_forces(forces, stem);
-  if (fabric) {
-    write_fabric_table(*fabric, stem + "_fabric.csv");
-    write_order_table(fabric->order, *vertical, stem + "_fabric_order.csv");
-    plot_fabric(*fabric, stem + "_fabric");
-  }
+  auto written = write_contact_forces(forces, stem);
+  if (fabric) written += ", " + write_fabric(*fabric, stem + "_fabric");
   if (not_planar.empty()) draw_force_chains(last, packing, stem + "_chains");
   report(forces, friction, std::cout);
   if (fabric)
@@ -112,12 +106,8 @@ void measure(const ForcesArguments& options) {
     std::cout << "the fabric is left out: no --vertical, dump scene or 'vertical_axis' in parameters.json\n";
   std::cout << input.passed_over_line();
   if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
-  std::cout << "written: " << stem << ".csv .png .svg, ";
-  if (forces.friction) std::cout << stem << "_friction.csv .png .svg, ";
-  std::cout << stem << "_coordination.csv .png .svg";
-  if (fabric) std::cout << ", " << stem << "_fabric.csv .png .svg, " << stem << "_fabric_order.csv";
-  if (not_planar.empty()) std::cout << ", " << stem << "_chains.png .svg";
-  std::cout << '\n';
+  if (not_planar.empty()) written += ", " + stem + "_chains.png .svg";
+  std::cout << "written: " << written << '\n';
 }
 
 }  // namespace

@@ -127,6 +127,17 @@ void add_output(CLI::App& command, std::string& stem) {
       ->type_name("STEM");
 }
 
+void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const auto& name : names)
+    if (command.count(name) > 0)
+      throw CLI::ValidationError(name, "expected in a scene in a plane alone");
+}
+
+void refuse_in_plane(const CLI::App& command, const std::vector<std::string>& names) {
+  for (const auto& name : names)
+    if (command.count(name) > 0)
+      throw CLI::ValidationError(name, "expected in a scene in space alone");
+}
 namespace {
 
 std::string lines_of_notes(const std::vector<std::string>& notes) {

@@ -46,6 +46,10 @@ void add_space_options(CLI::App& command, Input& input);
 /// Adds --output, the start of the names of the files to write.
 void add_output(CLI::App& command, std::string& stem);
 
+/// Refuses options that a scene in space has no use for, and the other way round.
+void refuse_in_space(const CLI::App& command, const std::vector<std::string>& names);
+void refuse_in_plane(const CLI::App& command, const std::vector<std::string>& names);
+
 /// "<where the walls come from>, d_p = ... m, AR = ..." for the reports on the terminal, and a line
 /// for each wall of the scene that is no wall of the container.
 std::string describe(const Packing& packing);

@@ -9,9 +9,8 @@
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
-#include "figures/orientation_figure.h"
-#include "figures/space/direction_figure.h"
 #include "reading/number_text.h"
+#include "report/outputs.h"
 
 namespace rodpack::cli {
 
@@ -59,10 +58,7 @@ void orientation_in_plane(const OrientationCommand& options) {
     setting = describe(packing);
   });
   const auto distribution = sample.distribution(options.bins);
-  const auto& stem = options.stem;
-  write_orientation_table(distribution, stem + ".csv");
-  plot_orientation_linear(distribution, stem);
-  plot_orientation_polar(distribution, stem + "_polar");
+  const auto written = write_orientation(distribution, options.stem);
   std::cout << setting << '\n'
             << options.input.passed_over_line() << distribution.particles
             << " particles; left out: " << distribution.near_walls
@@ -73,8 +69,7 @@ void orientation_in_plane(const OrientationCommand& options) {
             << "S6 = " << number_text(distribution.sixfold.order, 4)
             << ", <cos 6 gamma> = " << number_text(distribution.sixfold.mean_cosine, 4) << " +- "
             << number_text(distribution.sixfold.standard_error, 2) << '\n'
-            << bonds.line() << "written: " << stem << ".csv .png .svg, " << stem
-            << "_polar.png .svg\n";
+            << bonds.line() << "written: " << written << '\n';
 }
 
 void report_order(const SpatialOrientation& result) {
@@ -108,16 +103,10 @@ void orientation_in_space(const OrientationCommand& options) {
     setting = describe(packing);
   });
   const auto result = sample.result(options.bins);
-  const auto& stem = options.stem;
-  write_direction_table(result.polar, "polar", stem + ".csv");
-  write_direction_table(result.azimuth, "azimuth", stem + "_azimuth.csv");
-  write_order_table(result.order, result.vertical, stem + "_order.csv");
-  plot_polar_angle(result.polar, "particle", result.vertical, stem);
-  plot_azimuth(result.azimuth, "particle", result.vertical, stem + "_azimuth");
+  const auto written = write_orientation(result, options.stem);
   std::cout << setting << '\n' << options.input.passed_over_line();
   report_order(result);
-  std::cout << "written: " << stem << ".csv .png .svg, " << stem << "_azimuth.csv .png .svg, "
-            << stem << "_order.csv\n";
+  std::cout << "written: " << written << '\n';
 }
 
 }  // namespace

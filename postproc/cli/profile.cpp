@@ -8,9 +8,9 @@
 #include "analysis/space/vertical_profile.h"
 #include "cli/commands.h"
 #include "cli/field_input.h"
-#include "figures/profile_figure.h"
 #include "figures/space/vertical_profile_figure.h"
 #include "reading/number_text.h"
+#include "report/outputs.h"
 
 namespace rodpack::cli {
 
@@ -38,13 +38,11 @@ void profile_in_plane(const FieldInput& options) {
                        });
   const auto profile = sample.result();
   const auto [fit, report] = fitted(profile, "N/m");
-  const auto& stem = options.stem;
-  write_profile_table(profile, stem + ".csv");
-  plot_profile(profile, fit ? &*fit : nullptr, stem);
+  const auto written = write_profile(profile, fit ? &*fit : nullptr, options.stem);
   std::cout << setting << '\n'
             << options.input.passed_over_line() << "w = " << number_text(profile.scale, 4) << " m\n"
             << report << '\n'
-            << "written: " << stem << ".csv .png .svg\n";
+            << "written: " << written << '\n';
 }
 
 void profile_in_space(const FieldInput& options) {
@@ -57,15 +55,14 @@ void profile_in_space(const FieldInput& options) {
       });
   const auto profile = sample.result();
   const auto [fit, report] = fitted(profile, "Pa");
-  const auto& stem = options.stem;
-  write_vertical_profile_table(profile, stem + ".csv");
-  plot_vertical_stresses(profile, fit ? &*fit : nullptr, stem);
-  plot_layers(profile, stem + "_solid_fraction");
+  const auto written = write_profile(profile, fit ? &*fit : nullptr, options.stem);
+  const auto solid_fraction = options.stem + "_solid_fraction";
+  plot_layers(profile, solid_fraction);
   std::cout << setting << '\n'
             << options.input.passed_over_line() << "w = " << number_text(profile.scale, 4)
             << " m, cross-section " << number_text(profile.cross_section, 4) << " m^2\n"
             << solid_fraction_line(profile) << "vertical stress: " << report << '\n'
-            << "written: " << stem << ".csv .png .svg, " << stem << "_solid_fraction.png .svg\n";
+            << "written: " << written << ", " << solid_fraction << ".png .svg\n";
 }
 
 }  // namespace

@@ -13,9 +13,8 @@
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "figures/pairs/peak_figure.h"
-#include "figures/rdf_figure.h"
-#include "figures/space/axial_rdf_figure.h"
 #include "reading/number_text.h"
+#include "report/outputs.h"
 
 namespace rodpack::cli {
 namespace {
@@ -115,7 +114,11 @@ std::string largest_distances(const Rdf& rdf) {
 
 void rdf_in_space(const RdfCommand& options) {
   if (options.explain)
-    throw CLI::ValidationError("--explain", "expected in a scene in a plane alone");
+    throw CLI::ValidationError(
+        "--explain",
+        "expected in a scene in a plane, where three numbers say how a pair of rods lies (along, "
+        "across, angle); in space it takes four or more, and the pairs of a peak are too few to "
+        "part them: --axial R shows where neighbours lie");
   SpatialRdfSample sample(options.rdf);
   std::optional<AxialRdfSample> axial_sample;
   if (options.axial) axial_sample.emplace(options.along_across);
@@ -127,24 +130,20 @@ void rdf_in_space(const RdfCommand& options) {
     setting = describe(packing);
   });
   const auto rdf = sample.result();
-  write_rdf_table(rdf, options.stem + ".csv");
-  plot_rdf(rdf, options.stem);
+  auto written = write_rdf(rdf, options.stem);
   std::cout << setting << '\n' << options.input.passed_over_line() << rdf.centres << " centres";
   if (rdf.margin > 0)
     std::cout << " further than " << number_text(rdf.margin, 4) << " d_p from walls and surface"
               << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "");
   std::cout << '\n' << largest_distances(rdf);
-  std::string written = options.stem + ".csv .png .svg";
   if (axial_sample) {
     const auto axial = axial_sample->result();
-    write_axial_rdf_table(axial, options.stem + "_axial.csv");
-    plot_axial_rdf(axial, options.stem + "_axial");
+    written += ", " + write_axial_rdf(axial, options.stem + "_axial");
     std::cout << "along and across: " << axial.centres << " centres";
     if (axial.margin > 0)
       std::cout << " further than " << number_text(axial.margin, 4)
                 << " d_p from walls and surface";
     std::cout << '\n';
-    written += ", " + options.stem + "_axial.csv .png .svg";
   }
   std::cout << "written: " << written << '\n';
 }
@@ -162,13 +161,12 @@ void rdf_in_plane(const RdfCommand& options) {
   // A wrong distance shows before anything is written.
   std::optional<PeakExplanation> explanation;
   if (options.explain) explanation = explain_peak(options, rdf);
-  write_rdf_table(rdf, options.stem + ".csv");
-  plot_rdf(rdf, options.stem);
+  auto written = write_rdf(rdf, options.stem);
   std::cout << setting << '\n'
             << options.input.passed_over_line() << rdf.centres << " centres further than "
             << number_text(rdf.margin, 4) << " d_p from walls and surface"
             << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "") << '\n'
-            << largest_distances(rdf) << "written: " << options.stem << ".csv .png .svg\n";
+            << largest_distances(rdf) << "written: " << written << '\n';
   if (explanation) write_explanation(*explanation, rdf, options.stem + "_explained");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "figures/render.h"
+#include "figures/space/packing_picture.h"
 
 #include <iostream>
 #include <map>
@@ -21,6 +22,7 @@ struct RenderArguments {
   RenderOptions render;
   std::vector<double> window;
   std::optional<double> largest;
+  std::optional<double> azimuth, elevation;
   bool in_diameters = false;
   std::string stem = "packing";
 };
@@ -29,6 +31,15 @@ void draw(const RenderArguments& options) {
   auto render = options.render;
   render.packing = options.input.packing;
   render.largest = options.largest;
+  if (options.input.is_in_space()) {
+    render.space = options.input.space;
+    render.azimuth = options.azimuth.value_or(render.azimuth);
+    render.elevation = options.elevation.value_or(render.elevation);
+    options.input.for_frames(
+        [&](const Frame& frame) { render_in_space(frame, render, options.stem); });
+    std::cout << "written: " << options.stem << ".png .svg\n";
+    return;
+  }
   const auto& window = options.window;
   if (!window.empty()) require_window(window);
   options.input.for_frames([&](const Frame& frame) {
@@ -48,12 +59,15 @@ void add_render(CLI::App& app) {
   auto* command = app.add_subcommand("render",
                                      "Picture of a packing: every primary sphere at its true size "
                                      "and place, shaded by the contact "
-                                     "force on it, with walls, colour bar and scale bar.");
+                                     "force on it, with walls, colour bar and scale bar; in space "
+                                     "in perspective, by the ray tracer Tachyon.");
   command->footer(
       "Examples:\n"
       "  rodpack render 'results/quick/dumps/spheres.*.dump'\n"
       "  rodpack render spheres.9000.dump --window 0 40 0 30 --in-dp --colour fsum -o corner\n"
-      "write packing.png/.svg and corner.png/.svg.");
+      "write packing.png/.svg and corner.png/.svg.\n"
+      "  rodpack render spheres.dump --vertical z --azimuth 60 --colour orientation\n"
+      "looks at a scene in space.");
   add_files(*command, options->input, "spheres");
   const std::map<std::string, SphereColour> colours{{"force", SphereColour::force},
                                                     {"fsum", SphereColour::fsum},
@@ -68,7 +82,9 @@ void add_render(CLI::App& app) {
             options->render.colour = colours.at(name);
           },
           "force: magnitude of the net contact force on the sphere; fsum: sum of the "
-          "magnitudes of its contact forces; orientation: of the particle's long axis; none")
+          "magnitudes of its contact forces; orientation: of the particle's long axis, in space "
+          "its "
+          "angle to the vertical; none")
       ->check(one_of(names))
       ->default_str("force")
       ->type_name("NAME");
@@ -88,13 +104,33 @@ void add_render(CLI::App& app) {
       ->type_name("N");
   command
       ->add_option("--pixels", options->render.pixels,
-                   "longer side of the drawn window [default: 8 per d_p, 1200 to 4000]")
+                   "longer side of the drawn window [default: 8 per d_p, 1200 to 4000; in space "
+                   "1400]")
       ->check(whole_number(100, 20000))
       ->type_name("N");
+  command
+      ->add_option(
+          "--azimuth", options->azimuth,
+          "in space: where it is seen from, degrees about the vertical, from the next axis "
+          "in the order x, y, z, x towards the one after [default: 30]")
+      ->check(number(-360, 360))
+      ->type_name("DEG");
+  command
+      ->add_option("--elevation", options->elevation,
+                   "in space: the same above the horizontal, degrees [default: 15]")
+      ->check(number(-89, 89))
+      ->type_name("DEG");
   add_packing_options(*command, options->input);
+  add_space_options(*command, options->input);
   add_output(*command, options->stem);
 
-  command->callback([options] { draw(*options); });
+  command->callback([options, command] {
+    if (options->input.is_in_space())
+      refuse_in_space(*command, {"--window", "--in-dp"});
+    else
+      refuse_in_plane(*command, {"--azimuth", "--elevation"});
+    draw(*options);
+  });
 }
 
 }  // namespace rodpack::cli

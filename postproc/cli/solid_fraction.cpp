@@ -8,8 +8,8 @@
 #include "cli/commands.h"
 #include "cli/field_input.h"
 #include "figures/field_maps.h"
-#include "figures/space/vertical_profile_figure.h"
 #include "reading/number_text.h"
+#include "report/outputs.h"
 
 namespace rodpack::cli {
 
@@ -40,20 +40,17 @@ void solid_fraction_in_plane(const FieldInput& options) {
 
 void solid_fraction_in_space(const FieldInput& options) {
   VerticalProfileSample sample(options.fields);
-  std::string setting;
-  options.for_spatial_packings(
-      false, [&](const SpatialPacking& packing, const Frame& bodies, const Frame*) {
-        sample.add(packing, bodies, nullptr);
-        setting = describe(packing);
-      });
+  options.for_spatial_packings(false, [&](const SpatialPacking& packing, const Frame& bodies,
+                                          const Frame*) { sample.add(packing, bodies, nullptr); });
   const auto profile = sample.result();
+  const SpatialFields all(options, false);
   const auto& stem = options.stem;
-  write_layer_table(profile, stem + ".csv");
-  plot_layers(profile, stem);
-  std::cout << setting << '\n'
-            << options.input.passed_over_line() << "w = " << number_text(profile.scale, 4)
-            << " m, cross-section " << number_text(profile.cross_section, 4) << " m^2\n"
-            << solid_fraction_line(profile) << "written: " << stem << ".csv .png .svg\n";
+  auto written = write_layers(profile, stem);
+  written += ", " + write_fields(all.sample, {"number_density", "solid_fraction"}, all.time,
+                                 stem + "_grid");
+  written += ", " + draw_solid_fraction_maps(all.sample, stem + "_map");
+  std::cout << all.report() << "over the cross-section of " << number_text(profile.cross_section, 4)
+            << " m^2: " << solid_fraction_line(profile) << "written: " << written << '\n';
 }
 
 }  // namespace
@@ -64,24 +61,30 @@ void add_solid_fraction(CLI::App& app) {
   auto* command = app.add_subcommand(
       "solid-fraction",
       "In a plane: coarse-grained solid fraction on a grid, and its means in the central vertical "
-      "slice of the last frame. In space: solid fraction over height, of the container's whole "
-      "cross-section, smoothed along the vertical alone by a Gaussian of scale w (default AR d_p / "
-      "2).");
+      "slice of the last frame. In space: on a grid, with maps of slices and, in a cylinder, means "
+      "over rings; and over height, of the container's whole cross-section, smoothed along the "
+      "vertical alone by a Gaussian of scale w (default AR d_p / 2).");
   command->footer(
       "Example:\n"
       "  rodpack solid-fraction 'results/quick/dumps/bodies.*.dump' -o phi\n"
-      "writes phi.vti, phi.csv and phi.png/.svg; in space, with --vertical, no .vti.");
+      "writes phi.vti, phi.csv and phi.png/.svg; in space, with --vertical, phi.csv and "
+      "phi.png/.svg\n"
+      "over height, phi_grid.vti, phi_grid.csv and the maps phi_map and phi_map_across.");
   add_files(*command, options->input, "bodies");
   add_all_frames(*command, options->input);
   add_kernel_options(*command, *options);
   add_window(*command, *options);
+  add_slices(*command, *options);
   add_packing_options(*command, options->input);
   add_space_options(*command, options->input);
   add_output(*command, options->stem);
   command->callback([options, command] {
-    if (!options->input.is_in_space()) return solid_fraction_in_plane(*options);
-    refuse_in_space(*command, {"--kernel", "--tolerance", "--window"});
-    solid_fraction_in_space(*options);
+    if (options->input.is_in_space()) {
+      refuse_in_space(*command, {"--kernel", "--window"});
+      return solid_fraction_in_space(*options);
+    }
+    refuse_in_plane(*command, {"--slice"});
+    solid_fraction_in_plane(*options);
   });
 }
 

@@ -162,7 +162,7 @@ void PackingPicture::draw_walls(const Walls& walls) {
   }
 }
 
-void PackingPicture::draw_scale_bar(double diameter) {
+void PackingPicture::draw_scale_bar(double diameter, const std::string& note) {
   const double bar = round_step((window_[1] - window_[0]) / 3);
   const auto unit = scaled_unit(bar, "m");
   const double level = bottom_ + 1.2 * font_;
@@ -172,6 +172,9 @@ void PackingPicture::draw_scale_bar(double diameter) {
     text += " = " + number_text(bar / diameter, 3) + " <tspan font-style=\"italic\">d</tspan>" +
             "<tspan dy=\"" + Drawing::at(0.25 * font_) + "\" font-size=\"" +
             Drawing::at(0.7 * font_) + "\">p</tspan>";
+  if (!note.empty())
+    text +=
+        "<tspan dy=\"" + Drawing::at(diameter > 0 ? -0.25 * font_ : 0) + "\">" + note + "</tspan>";
   drawing_.label(margin_ + bar * per_metre_ + 0.6 * font_, level + 0.36 * font_, font_, "start",
                  text);
 }
@@ -190,10 +193,11 @@ void PackingPicture::draw_legend(const std::vector<std::pair<std::string, std::s
 
 void PackingPicture::finish(const Walls& walls, double diameter, const ColourScale& scale,
                             const std::string& stem,
-                            const std::vector<std::pair<std::string, std::string>>& legend) {
+                            const std::vector<std::pair<std::string, std::string>>& legend,
+                            const std::string& scale_bar_note) {
   drawing_.raw("</g>");
   draw_walls(walls);
-  draw_scale_bar(diameter);
+  draw_scale_bar(diameter, scale_bar_note);
   draw_legend(legend);
   if (colour_bar_) {
     const double length = std::min(draw_height_ - 1.5 * font_, 14 * font_);

@@ -74,19 +74,23 @@ class PackingPicture {
   double x(double metres) const { return margin_ + (metres - window_[0]) * per_metre_; }
   double y(double metres) const { return bottom_ - (metres - window_[2]) * per_metre_; }
   double per_metre() const { return per_metre_; }
+  /// Size of its letters, pixels.
+  double font() const { return font_; }
 
   Drawing& begin();
   /// Writes `stem`.svg and `stem`.png; the scale bar gives its length also in the particle
   /// `diameter`, m, unless that is 0. @throws DataError when a file cannot be written or
   /// rsvg-convert is missing or fails.
-  /// `legend`: colours and what they stand for, beside the scale bar.
+  /// `legend`: colours and what they stand for, beside the scale bar; `scale_bar_note`: what stands
+  /// behind its length.
   void finish(const Walls& walls, double diameter, const ColourScale& scale,
               const std::string& stem,
-              const std::vector<std::pair<std::string, std::string>>& legend = {});
+              const std::vector<std::pair<std::string, std::string>>& legend = {},
+              const std::string& scale_bar_note = "");
 
  private:
   void draw_walls(const Walls& walls);
-  void draw_scale_bar(double diameter);
+  void draw_scale_bar(double diameter, const std::string& note);
   void draw_legend(const std::vector<std::pair<std::string, std::string>>& legend);
 
   std::array<double, 4> window_;

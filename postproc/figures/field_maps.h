@@ -8,9 +8,6 @@
 
 namespace rodpack {
 
-/// Returns gnuplot's command for a palette of the colours of our own drawings.
-std::string palette_command();
-
 /// The bed of a map: its surface is drawn, and what lies within the kernel's reach of a wall or the
 /// surface is hatched, unless the densities are normalised by the kernel's share there.
 struct MappedBed {

@@ -26,6 +26,8 @@ ColourScale orientation_scale(const Frame& spheres) {
   return scale;
 }
 
+}  // namespace
+
 ColourScale sphere_force_scale(const Frame& spheres, SphereColour colour,
                                std::optional<double> largest) {
   if (colour == SphereColour::fsum)
@@ -37,8 +39,6 @@ ColourScale sphere_force_scale(const Frame& spheres, SphereColour colour,
   for (std::size_t i = 0; i < spheres.rows; ++i) forces.push_back(std::hypot(fx[i], fy[i], fz[i]));
   return force_scale(forces, largest, "contact force on sphere");
 }
-
-}  // namespace
 
 void render_spheres(const Frame& spheres, const RenderOptions& options, const std::string& stem) {
   const auto& y = spheres.column("y");

@@ -16,6 +16,7 @@
 #include <map>
 #include <set>
 
+#include "figures/space/capsules.h"
 #include "reading/checks/frame_pool.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
@@ -103,6 +104,28 @@ std::string kind_name(DumpKind kind) {
   return kind == DumpKind::bodies ? "bodies" : kind == DumpKind::spheres ? "spheres" : "contacts";
 }
 
+void add_frame_arrays(const Frame& frame, std::set<std::string> used,
+                      vtkDataSetAttributes* attributes) {
+  for (const auto& [name, columns] : vectors)
+    if (std::all_of(columns.begin(), columns.end(), [&](auto each) { return frame.has(each); })) {
+      attributes->AddArray(vector_array(frame, name, columns));
+      used.insert(columns.begin(), columns.end());
+    }
+  for (std::size_t c = 0; c < frame.names.size(); ++c) {
+    const auto& name = frame.names[c];
+    // A column of text that we do not know is left out; a bad number in one that we know throws.
+    if (!used.count(name) && (known_column(name) || frame.bad_fields[c].line == 0))
+      attributes->AddArray(scalar_array(frame, name));
+  }
+}
+
+void write_poly_data(vtkPolyData* data, const std::string& file) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(data);
+  if (writer->Write() != 1) throw DataError(file + ": cannot be written");
+}
+
 void write_vtp(const Frame& frame, DumpKind kind, const std::string& file) {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
@@ -135,63 +158,67 @@ void write_vtp(const Frame& frame, DumpKind kind, const std::string& file) {
   data->SetPoints(points);
 
   // One value per row: on the points of bodies and spheres, on the lines of contacts.
+  if (lines) data->GetCellData()->AddArray(vector_array(frame, "contact_point_m", {"x", "y", "z"}));
+  used.insert({"x", "y", "z"});
   vtkDataSetAttributes* attributes = data->GetPointData();
   if (lines) attributes = data->GetCellData();
-  if (lines) {
-    attributes->AddArray(vector_array(frame, "contact_point_m", {"x", "y", "z"}));
-    used.insert({"x", "y", "z"});
-  }
-  for (const auto& [name, columns] : vectors)
-    if (std::all_of(columns.begin(), columns.end(), [&](auto each) { return frame.has(each); })) {
-      attributes->AddArray(vector_array(frame, name, columns));
-      used.insert(columns.begin(), columns.end());
-    }
-  for (std::size_t c = 0; c < frame.names.size(); ++c) {
-    const auto& name = frame.names[c];
-    // A column of text that we do not know is left out; a bad number in one that we know throws.
-    if (!used.count(name) && (known_column(name) || frame.bad_fields[c].line == 0))
-      attributes->AddArray(scalar_array(frame, name));
-  }
-
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(data);
-  if (writer->Write() != 1) throw DataError(file + ": cannot be written");
+  add_frame_arrays(frame, used, attributes);
+  write_poly_data(data, file);
 }
 
+namespace {
+
+void require_bodies(const std::vector<std::string>& files) {
+  for (const auto& file : files) {
+    Frame frame;
+    if (DumpReader(file).next(frame) && kind_of(frame) == DumpKind::bodies) return;
+  }
+  throw DataError("--capsules: expected a dump of bodies, found none");
+}
+
+// The index of the frames of one kind, by their times.
+std::string pvd_text(const std::map<long, std::string>& frames, double timestep_s) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  for (const auto& [timestep, name] : frames) {
+    const double time = static_cast<double>(timestep) * (timestep_s > 0 ? timestep_s : 1);
+    text += "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
+  }
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace
+
 std::vector<std::string> export_vtk(const std::vector<std::string>& files,
-                                    const std::string& folder, double timestep_s) {
+                                    const std::string& folder, double timestep_s, bool capsules) {
+  if (capsules) require_bodies(files);
   std::vector<std::string> written;
-  std::map<DumpKind, std::map<long, std::string>> index;
+  std::map<std::string, std::map<long, std::string>> index;
   std::map<DumpKind, FramePool> pools;
+  const auto add = [&](const std::string& kind, long timestep) {
+    const auto name = kind + "." + std::to_string(timestep) + ".vtp";
+    index[kind][timestep] = name;
+    written.push_back((std::filesystem::path(folder) / name).string());
+    return written.back();
+  };
   for_each_frame(files, [&](const Frame& frame) {
     const auto kind = kind_of(frame);
     // Empty frames are frames of a film; the same frame again is not.
     if (frame.rows > 0 && !pools.try_emplace(kind, false).first->second.take(frame)) return;
-    if (index[kind].count(frame.timestep) > 0)
+    if (index[kind_name(kind)].count(frame.timestep) > 0)
       throw DataError(frame.file + ":" + std::to_string(frame.header_line) +
                       ": expected each timestep once, found a second frame of " + kind_name(kind) +
                       " of timestep " + std::to_string(frame.timestep));
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw DataError(folder + ": cannot be created (" + error.message() + ")");
-    const auto name = kind_name(kind) + "." + std::to_string(frame.timestep) + ".vtp";
-    const auto path = (std::filesystem::path(folder) / name).string();
-    write_vtp(frame, kind, path);
-    written.push_back(path);
-    index[kind][frame.timestep] = name;
+    write_vtp(frame, kind, add(kind_name(kind), frame.timestep));
+    if (capsules && kind == DumpKind::bodies)
+      write_capsules(frame, add("capsules", frame.timestep));
   });
   for (const auto& [kind, frames] : index) {
-    std::string text =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
-    for (const auto& [timestep, name] : frames) {
-      const double time = timestep_s > 0 ? static_cast<double>(timestep) * timestep_s
-                                         : static_cast<double>(timestep);
-      text +=
-          "<DataSet timestep=\"" + number_text(time) + "\" part=\"0\" file=\"" + name + "\"/>\n";
-    }
-    const auto path = (std::filesystem::path(folder) / (kind_name(kind) + ".pvd")).string();
-    write_text(path, text + "</Collection>\n</VTKFile>\n");
+    const auto path = (std::filesystem::path(folder) / (kind + ".pvd")).string();
+    write_text(path, pvd_text(frames, timestep_s));
     written.push_back(path);
   }
   return written;

@@ -2,10 +2,14 @@
 #ifndef RODPACK_FIGURES_VTK_EXPORT_H
 #define RODPACK_FIGURES_VTK_EXPORT_H
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "reading/dump.h"
+
+class vtkDataSetAttributes;
+class vtkPolyData;
 
 namespace rodpack {
 
@@ -27,11 +31,19 @@ std::string kind_name(DumpKind kind);
 /// @throws DataError when a column is missing or the file cannot be written.
 void write_vtp(const Frame& frame, DumpKind kind, const std::string& file);
 
+/// Adds the columns of a frame but for those in `used`, one value per row, named as above.
+void add_frame_arrays(const Frame& frame, std::set<std::string> used,
+                      vtkDataSetAttributes* attributes);
+/// Writes a compressed .vtp. @throws DataError when that fails.
+void write_poly_data(vtkPolyData* data, const std::string& file);
+
 /// Writes every frame of every dump as `folder`/<kind>.<timestep>.vtp and, per kind, the time index
 /// `folder`/<kind>.pvd, which ParaView opens; the files written are returned. Times are
-/// timestep * `timestep_s`, in s; 0 = unknown: the index then holds timesteps.
+/// timestep * `timestep_s`, in s; 0 = unknown: the index then holds timesteps. `capsules`: of
+/// bodies write_capsules() too, as capsules.<timestep>.vtp.
 std::vector<std::string> export_vtk(const std::vector<std::string>& files,
-                                    const std::string& folder, double timestep_s);
+                                    const std::string& folder, double timestep_s,
+                                    bool capsules = false);
 
 }  // namespace rodpack
 

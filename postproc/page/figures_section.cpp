@@ -5,6 +5,7 @@
 #include <regex>
 #include <set>
 
+#include "figures/packings/base64.h"
 #include "page/html.h"
 #include "reading/data_error.h"
 #include "reading/text_file.h"

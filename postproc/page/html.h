@@ -14,9 +14,6 @@ namespace rodpack {
 /// quotes.
 std::string escaped(std::string_view text);
 
-/// Returns `bytes` in base64, with padding (RFC 4648, section 4).
-std::string base64(std::string_view bytes);
-
 /// Returns a script element that holds `data` and does nothing: a script of the page reads it.
 /// `id`: of the element. No text in the data can end the element.
 std::string data_element(const std::string& id, const nlohmann::ordered_json& data);

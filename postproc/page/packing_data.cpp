@@ -13,6 +13,7 @@
 
 #include "analysis/force_chains.h"
 #include "figures/drawing.h"
+#include "figures/packings/base64.h"
 #include "page/html.h"
 #include "reading/angles.h"
 #include "reading/number_text.h"

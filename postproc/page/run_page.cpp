@@ -79,7 +79,25 @@ const std::vector<FigureText>& space_figures() {
   static const std::string grey =
       "Of the container's whole cross-section, smoothed along the vertical by a Gaussian of ω = AR "
       "<i>d</i><sub>p</sub> / 2. Grey: nearer than 3ω to the floor or the surface.";
+  static const std::string hatched =
+      "ω = AR <i>d</i><sub>p</sub> / 2. Hatched: nearer than 3ω to a wall or the surface (line), "
+      "where the kernel averages over the empty space beyond.";
+  static const std::string upright = "on an upright slice through the middle of the container";
+  static const std::string level = "on a level slice at half the height of the bed";
+  static const std::string rings = "mean over rings about the axis of the container";
+  static const std::string crosses =
+      " Crosses: principal values and directions of the stress within the section.";
   static const std::vector<FigureText> texts{
+      {"packing", "The packing",
+       "In perspective. Each sphere is shaded by the magnitude of the net contact force on it.",
+       true},
+      {"solid_fraction_map", "Solid fraction " + upright, hatched, false},
+      {"solid_fraction_map_across", "Solid fraction " + level, hatched, false},
+      {"solid_fraction_map_rings", "Solid fraction, " + rings, hatched, false},
+      {"pressure_map", "Pressure, a third of the trace of the contact stress, " + upright,
+       hatched + crosses, false},
+      {"pressure_map_across", "Pressure " + level, hatched + crosses, false},
+      {"pressure_map_rings", "Pressure, " + rings, hatched + crosses, false},
       {"orientation", "Angle of the long axis to the vertical", isotropic, false},
       {"orientation_azimuth", "Azimuth of the long axis about the vertical", isotropic, false},
       {"rdf", "Radial distribution function of the centres of mass, in shells", "", false},
@@ -103,7 +121,7 @@ bool is_in_space(const Json& summary) { return summary.contains("vertical_axis")
 std::string packing_html(const std::string& name, const std::string& run_folder,
                          const Json& summary) {
   if (!is_in_space(summary)) return viewer_html({{name, run_folder}});
-  return "<p>Not shown: the scene is in space, and this viewer shows planes. "
+  return "<p>The picture is among the figures: the scene is in space, and the viewer shows planes. "
          "<code>analysis/vtk/</code> holds the packing for ParaView.</p>\n";
 }
 

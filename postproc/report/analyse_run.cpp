@@ -9,6 +9,8 @@
 #include "analysis/orientation.h"
 #include "figures/force_chains_figure.h"
 #include "figures/render.h"
+#include "figures/space/packing_picture.h"
+#include "figures/space/ray_tracing.h"
 #include "figures/vtk_export.h"
 #include "reading/checks/planar.h"
 #include "reading/data_error.h"
@@ -42,16 +44,32 @@ void remove_own_outputs(const fs::path& out) {
   fs::remove(out / "report.html", ignored);  // the page of them all, which write_run_page() makes
   for (const std::string table :
        {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination",
-        "fields", "profile", "orientation_azimuth", "orientation_order", "rdf_axial",
-        "forces_fabric", "forces_fabric_order", "mixture", "rdf_partial"})
+        "fields", "fields_rings", "profile", "orientation_azimuth", "orientation_order",
+        "rdf_axial", "forces_fabric", "forces_fabric_order", "mixture", "rdf_partial"})
     fs::remove(out / (table + ".csv"), ignored);
-  for (const std::string figure :
-       {"orientation", "orientation_polar", "rdf", "solid_fraction", "energies", "packing",
-        "forces", "forces_friction", "forces_coordination", "forces_chains", "solid_fraction_map",
-        "pressure_map", "profile", "orientation_azimuth", "rdf_axial", "forces_fabric",
-        "rdf_partial"})
+  for (const std::string figure : {"orientation",
+                                   "orientation_polar",
+                                   "rdf",
+                                   "solid_fraction",
+                                   "energies",
+                                   "packing",
+                                   "forces",
+                                   "forces_friction",
+                                   "forces_coordination",
+                                   "forces_chains",
+                                   "solid_fraction_map",
+                                   "pressure_map",
+                                   "profile",
+                                   "orientation_azimuth",
+                                   "rdf_axial",
+                                   "forces_fabric",
+                                   "rdf_partial",
+                                   "solid_fraction_map_across",
+                                   "solid_fraction_map_rings",
+                                   "pressure_map_across",
+                                   "pressure_map_rings"})
     for (const std::string suffix : {".png", ".svg"}) fs::remove(out / (figure + suffix), ignored);
-  for (const std::string kind : {"bodies", "spheres", "contacts"})
+  for (const std::string kind : {"bodies", "capsules", "spheres", "contacts"})
     for (const auto& entry : fs::directory_iterator(out / "vtk", ignored)) {
       const auto name = entry.path().filename().string();
       const auto suffix = entry.path().extension();
@@ -192,7 +210,7 @@ class Analysis {
         contacts_.frame.rows > 0 && contacts_.frame.timestep == files_.bodies.timestep;
     try {
       report_fields(packing, files_.bodies, stressed ? &contacts_.frame : nullptr,
-                    static_cast<double>(packing.timestep) * (dt_ > 0 ? dt_ : 1), out_, summary_);
+                    time_of(packing.timestep), out_, summary_);
       ++made;
     } catch (const TooFewParticles& reason) {
       summary_["notes"].push_back(std::string("fields: ") + reason.what());
@@ -212,8 +230,15 @@ class Analysis {
       summary_["bed_height_m"] = packing.surface - walls.low[walls.vertical];
     put_setting(walls.source, packing.particle_diameter, packing.aspect_ratio);
     start_notes(walls.source, walls.notes, "--container or --cylinder");
-    require_any(report_in_space(packing, files_.bodies, contacts_, out_, summary_));
+    options_.packing.particle_diameter = packing.particle_diameter;
+    require_any(report_in_space(packing, files_.bodies, contacts_, time_of(packing.timestep), out_,
+                                summary_));
     report_mixture(packing, files_.bodies, contacts_, out_, summary_);
+  }
+
+  // s, or the timestep where its length is not known.
+  double time_of(long timestep) const {
+    return static_cast<double>(timestep) * (dt_ > 0 ? dt_ : 1);
   }
 
   void refuse_of_space() const {
@@ -224,11 +249,18 @@ class Analysis {
   }
 
   void draw_packing() {
-    if (!files_.spheres || !packing_) return;
+    if (!files_.spheres) return;
     RenderOptions render;
     render.packing = options_.packing;
+    render.space = options_.space;
     if (!files_.spheres->has("fx")) render.colour = SphereColour::none;
-    render_spheres(*files_.spheres, render, (out_ / "packing").string());
+    const auto stem = (out_ / "packing").string();
+    if (packing_) return render_spheres(*files_.spheres, render, stem);
+    try {
+      render_in_space(*files_.spheres, render, stem);
+    } catch (const NoRayTracer& reason) {
+      summary_["notes"].push_back(std::string("picture: ") + reason.what());
+    }
   }
 
   void export_frames() const {
@@ -237,7 +269,7 @@ class Analysis {
       if (!files->empty())
         exported.insert(exported.end(), options_.all_frames ? files->begin() : files->end() - 1,
                         files->end());
-    export_vtk(exported, (out_ / "vtk").string(), dt_);
+    export_vtk(exported, (out_ / "vtk").string(), dt_, !packing_);
   }
 
   fs::path run_, out_;

@@ -10,16 +10,13 @@
 #include "analysis/pressure_profile.h"
 #include "analysis/rdf.h"
 #include "analysis/solid_fraction.h"
-#include "figures/contact_forces_figure.h"
 #include "figures/energies_figure.h"
 #include "figures/field_maps.h"
-#include "figures/orientation_figure.h"
-#include "figures/profile_figure.h"
-#include "figures/rdf_figure.h"
 #include "figures/solid_fraction_figure.h"
 #include "reading/number_text.h"
 #include "reading/run_folder.h"
 #include "reading/scene/run_scene.h"
+#include "report/outputs.h"
 
 namespace rodpack {
 
@@ -33,9 +30,7 @@ void report_orientation(const Packing& packing, const fs::path& out, Json& summa
   // Few particles in narrow bins would show their noise only.
   if (packing.size() < 1000)
     distribution = sample.distribution(static_cast<int>(distribution.centre.size() / 2));
-  write_orientation_table(distribution, (out / "orientation.csv").string());
-  plot_orientation_linear(distribution, (out / "orientation").string());
-  plot_orientation_polar(distribution, (out / "orientation_polar").string());
+  write_orientation(distribution, (out / "orientation").string());
   summary["orientation_particles"] = distribution.particles;
   summary["orientation_left_out_closer_than_AR_dp_to_walls"] = distribution.near_walls;
   summary["nematic_order_S2"] = distribution.nematic.order;
@@ -63,8 +58,7 @@ void report_rdf(const Packing& packing, const fs::path& out, Json& summary) {
 }
 
 void put_rdf(const Rdf& rdf, const fs::path& out, Json& summary) {
-  write_rdf_table(rdf, (out / "rdf.csv").string());
-  plot_rdf(rdf, (out / "rdf").string());
+  write_rdf(rdf, (out / "rdf").string());
   summary["rdf_centres"] = rdf.centres;
   summary["rdf_margin_over_dp"] = rdf.margin;
   if (rdf.tail_standard_error > 0) {
@@ -151,9 +145,7 @@ void report_contacts(const MeasuredContacts& contacts, const fs::path& out, Json
   if (!contacts.note.empty()) summary["notes"].push_back("contacts: " + contacts.note);
   if (!contacts.forces) return;
   const auto& forces = *contacts.forces;
-  const auto stem = (out / "forces").string();
-  write_contact_force_tables(forces, stem);
-  plot_contact_forces(forces, stem);
+  write_contact_forces(forces, (out / "forces").string());
   summary["mean_normal_force_N"] = forces.normal.mean;
   summary["mean_tangential_force_N"] = forces.tangential.mean;
   if (forces.friction) {
@@ -183,14 +175,13 @@ void report_fields(const Packing& packing, const Frame& bodies, const Frame* con
   ProfileSample slice({});
   slice.add(packing, bodies, *contacts);
   const auto profile = slice.result();
-  write_profile_table(profile, (out / "profile").string() + ".csv");
   std::optional<JanssenFit> fit;
   try {
     fit = fit_janssen(profile);
   } catch (const TooFewParticles& reason) {
     summary["notes"].push_back(reason.what());
   }
-  plot_profile(profile, fit ? &*fit : nullptr, (out / "profile").string());
+  write_profile(profile, fit ? &*fit : nullptr, (out / "profile").string());
   put_janssen_fit(fit, packing.particle_diameter, "N_m", summary);
 }
 

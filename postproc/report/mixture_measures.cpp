@@ -74,7 +74,7 @@ std::optional<Mixture> mixture_of(const Frame& bodies, Json& summary) {
 }
 
 template <class AnyPacking, class Measure>
-void report_kinds(const AnyPacking& packing, const Frame& bodies, const ContactReport& contacts,
+void report_kinds(const AnyPacking& packing, const Frame& bodies, const MeasuredContacts& contacts,
                   const fs::path& out, Json& summary, const Measure& measure) {
   const auto mixture = mixture_of(bodies, summary);
   if (!mixture) return;
@@ -87,14 +87,14 @@ void report_kinds(const AnyPacking& packing, const Frame& bodies, const ContactR
 
 }  // namespace
 
-void report_mixture(const Packing& packing, const Frame& bodies, const ContactReport& contacts,
+void report_mixture(const Packing& packing, const Frame& bodies, const MeasuredContacts& contacts,
                     const fs::path& out, Json& summary) {
   report_kinds(packing, bodies, contacts, out, summary,
                [&](const Mixture& mixture) { return measure_species(packing, mixture); });
 }
 
 void report_mixture(const SpatialPacking& packing, const Frame& bodies,
-                    const ContactReport& contacts, const fs::path& out, Json& summary) {
+                    const MeasuredContacts& contacts, const fs::path& out, Json& summary) {
   report_kinds(packing, bodies, contacts, out, summary,
                [&](const Mixture& mixture) { return measure_species(packing, bodies, mixture); });
 }

@@ -14,10 +14,10 @@ namespace rodpack {
 /// coordination by kinds and partial G_ab(r), as tables and a figure in `out` and "mixture" in the
 /// summary. Does nothing where all particles are of one kind. What cannot be measured goes into the
 /// summary's "notes". @throws DataError when a column is missing or drawing fails.
-void report_mixture(const Packing& packing, const Frame& bodies, const ContactReport& contacts,
+void report_mixture(const Packing& packing, const Frame& bodies, const MeasuredContacts& contacts,
                     const std::filesystem::path& out, nlohmann::ordered_json& summary);
 void report_mixture(const SpatialPacking& packing, const Frame& bodies,
-                    const ContactReport& contacts, const std::filesystem::path& out,
+                    const MeasuredContacts& contacts, const std::filesystem::path& out,
                     nlohmann::ordered_json& summary);
 
 }  // namespace rodpack

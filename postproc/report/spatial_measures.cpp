@@ -6,9 +6,7 @@
 #include "analysis/space/spatial_orientation.h"
 #include "analysis/space/spatial_rdf.h"
 #include "analysis/space/vertical_profile.h"
-#include "figures/space/axial_rdf_figure.h"
-#include "figures/space/direction_figure.h"
-#include "figures/space/vertical_profile_figure.h"
+#include "report/outputs.h"
 
 namespace rodpack {
 namespace {
@@ -50,12 +48,7 @@ void put_order(const std::string& name, const OrderTensor& order, const OrderAbo
 }
 
 void put_orientation(const SpatialOrientation& result, const fs::path& out, Json& summary) {
-  const auto stem = (out / "orientation").string();
-  write_direction_table(result.polar, "polar", stem + ".csv");
-  write_direction_table(result.azimuth, "azimuth", stem + "_azimuth.csv");
-  write_order_table(result.order, result.vertical, stem + "_order.csv");
-  plot_polar_angle(result.polar, "particle", result.vertical, stem);
-  plot_azimuth(result.azimuth, "particle", result.vertical, stem + "_azimuth");
+  write_orientation(result, (out / "orientation").string());
   summary["orientation_particles"] = result.order.number;
   summary["orientation_left_out_closer_than_AR_dp_to_walls"] = result.near_walls;
   put_order("order_tensor", result.order, result.about_vertical, summary);
@@ -66,17 +59,13 @@ void put_orientation(const SpatialOrientation& result, const fs::path& out, Json
 }
 
 void put_axial_rdf(const AxialRdf& rdf, const fs::path& out, Json& summary) {
-  const auto stem = (out / "rdf_axial").string();
-  write_axial_rdf_table(rdf, stem + ".csv");
-  plot_axial_rdf(rdf, stem);
+  write_axial_rdf(rdf, (out / "rdf_axial").string());
   summary["rdf_axial_centres"] = rdf.centres;
   summary["rdf_axial_margin_over_dp"] = rdf.margin;
 }
 
 void put_layers(const VerticalProfile& profile, const fs::path& out, Json& summary) {
-  const auto stem = (out / "solid_fraction").string();
-  write_layer_table(profile, stem + ".csv");
-  plot_layers(profile, stem);
+  write_layers(profile, (out / "solid_fraction").string());
   const std::string key =
       "solid_fraction_of_cross_section_from_3_omega_above_floor_to_3_omega_below_surface";
   summary["omega_m"] = profile.scale;
@@ -92,18 +81,13 @@ void put_layers(const VerticalProfile& profile, const fs::path& out, Json& summa
 }
 
 void put_stresses(const VerticalProfile& profile, const fs::path& out, Json& summary) {
-  const auto stem = (out / "profile").string();
   const auto fit = measured("Janssen fit", summary, [&] { return fit_janssen(profile); });
-  write_vertical_profile_table(profile, stem + ".csv");
-  plot_vertical_stresses(profile, fit ? &*fit : nullptr, stem);
+  write_profile(profile, fit ? &*fit : nullptr, (out / "profile").string());
   put_janssen_fit(fit, profile.particle_diameter, "N_m2", summary);
 }
 
 void put_fabric(const Fabric& fabric, const fs::path& out, Json& summary) {
-  const auto stem = (out / "forces_fabric").string();
-  write_fabric_table(fabric, stem + ".csv");
-  write_order_table(fabric.order, fabric.vertical, stem + "_order.csv");
-  plot_fabric(fabric, stem);
+  write_fabric(fabric, (out / "forces_fabric").string());
   put_order("contact_normals", fabric.order, fabric.about_vertical, summary);
 }
 
@@ -150,10 +134,36 @@ int report_bodies(const SpatialPacking& packing, const Frame& bodies, const fs::
   return made;
 }
 
+int report_fields_in_space(const SpatialPacking& packing, const Frame& bodies,
+                           const Frame* contacts, double time, const fs::path& out, Json& summary) {
+  const auto sample = measured("fields", summary, [&] {
+    SpatialFieldSample fields({});
+    fields.add(packing, bodies, contacts);
+    return fields;
+  });
+  if (!sample) return 0;
+  write_fields(*sample, {}, time, (out / "fields").string());
+  draw_solid_fraction_maps(*sample, (out / "solid_fraction_map").string());
+  if (contacts) draw_pressure_maps(*sample, (out / "pressure_map").string());
+  const std::string key = "solid_fraction_3_omega_from_walls_floor_and_surface";
+  if (const auto interior = interior_solid_fraction(*sample)) {
+    summary[key] = interior->mean;
+    summary[key + "_standard_deviation_over_places"] = interior->deviation;
+  } else {
+    summary[key] = nullptr;
+    summary["notes"].push_back(
+        "solid fraction: no place is further than 3 omega from walls, floor and surface; --scale "
+        "of "
+        "rodpack solid-fraction makes omega smaller");
+  }
+  return 1;
+}
+
 }  // namespace
 
 int report_in_space(const SpatialPacking& packing, const Frame& bodies,
-                    const MeasuredContacts& contacts, const fs::path& out, Json& summary) {
+                    const MeasuredContacts& contacts, double time, const fs::path& out,
+                    Json& summary) {
   int made = report_bodies(packing, bodies, out, summary);
   report_contacts(contacts, out, summary);
   if (contacts.forces) {
@@ -165,10 +175,10 @@ int report_in_space(const SpatialPacking& packing, const Frame& bodies,
     if (const auto profile = profile_of("profile", packing, bodies, &contacts.frame, summary))
       put_stresses(*profile, out, summary);
   }
-  summary["notes"].push_back(
-      "picture, force chains, maps of fields, sixfold orders: of scenes in a plane alone; "
-      "analysis/vtk/ shows the packing in ParaView, compute stress/goldhirsch has the fields on a "
-      "grid");
+  const bool stressed = contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep;
+  made += report_fields_in_space(packing, bodies, stressed ? &contacts.frame : nullptr, time, out,
+                                 summary);
+  summary["notes"].push_back("force chains, sixfold orders: of scenes in a plane alone");
   return made;
 }
 

@@ -12,12 +12,13 @@ namespace rodpack {
 
 /// The part of analyse_run(), the only one that includes this, for a scene in space: orientation,
 /// G(r), pair correlation along and across the axis, solid fraction over height, contact forces,
-/// fabric and stresses over depth, each with its table and figures in the folder `out` and its
-/// numbers in `summary`. What cannot be measured goes into the summary's "notes" with the reason.
-/// Returns how many measures were made.
+/// fabric, stresses over depth and fields on a grid with their maps, each with its table and
+/// figures in the folder `out` and its numbers in `summary`. What cannot be measured goes into the
+/// summary's "notes" with the reason. `time`: s, or the timestep where that is not known. Returns
+/// how many measures were made.
 /// @throws DataError when drawing fails or a column of the contacts is malformed.
 int report_in_space(const SpatialPacking& packing, const Frame& bodies,
-                    const MeasuredContacts& contacts, const std::filesystem::path& out,
+                    const MeasuredContacts& contacts, double time, const std::filesystem::path& out,
                     nlohmann::ordered_json& summary);
 
 }  // namespace rodpack

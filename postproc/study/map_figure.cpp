@@ -6,7 +6,7 @@
 #include "analysis/edges/undisturbed.h"
 #include "ensemble/ensemble_field.h"
 #include "figures/edges/shading.h"
-#include "figures/field_maps.h"
+#include "figures/edges/map_drawing.h"
 #include "figures/figure.h"
 #include "reading/number_text.h"
 #include "study/case_panels.h"

@@ -34,7 +34,8 @@ Scene read_scene(const std::string& bodies, const std::string& contacts, int til
   const Frame contact_frame = last_frame(find_dumps({contacts}));
   const Packing packing = read_packing(body_frame);
   const auto contact_rows = read_contacts(contact_frame);
-  const auto particle_rows = read_particles(body_frame, sum_pairs(contact_rows).pairs);
+  const auto particle_rows =
+      read_particles(body_frame, body_frame.column("area"), sum_pairs(contact_rows).pairs);
   Scene scene;
   scene.scale = 3 * packing.axial_length();
   const double width = packing.walls.width();

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
 #include <string>
 
 #include "liggghts_run.h"
@@ -58,6 +61,73 @@ TEST(StressInTheRunAndAfterIt, AgreeToTheDumpsPrecision) {
       EXPECT_LE(worst, 1e-11 * scale) << name;
     }
   }
+}
+
+namespace {
+
+// The deck in space, with the compute at the places of a file beside its dumps.
+std::string deposition_with_fields() {
+  std::string deck = text_of(RODPACK_REPOSITORY "/inputs/deposition3d/in.deposition3d");
+  const std::string before = "dump bodies   all";
+  const auto at = deck.find(before);
+  if (at == std::string::npos) throw std::runtime_error("the deck has no '" + before + "'");
+  return deck.insert(at,
+                     "compute fields all stress/goldhirsch scale 0.003 dimension 3 tolerance 1e-12 "
+                     "couple yes points places.txt\n"
+                     "dump fields all stress/goldhirsch ${n_output} fields.*.csv fields\n");
+}
+
+}  // namespace
+
+// Rods that fall and collide in a box, one seed, one rank: the second run is the first one, with
+// the compute at places of the grid that rodpack made of the first.
+TEST(StressInTheRunAndAfterIt, AgreeInSpaceToTheDumpsPrecision) {
+  std::map<std::string, std::string> vars = {{"particles", "30"},
+                                             {"aspect_ratio", "3"},
+                                             {"container_width", "0.018"},
+                                             {"output_interval", "0.15"},
+                                             {"out", "run"}};
+  const auto first = run_liggghts("deposition3d/in.deposition3d", vars);
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  const std::string step = std::to_string(static_cast<long>(std::ceil(0.15 / 1.1e-5)));
+  const auto post =
+      postprocess("stress run/dumps/bodies." + step +
+                      ".dump --couple --scale 0.003 --spacing 0.003 --tolerance 1e-12",
+                  first.folder);
+  ASSERT_EQ(post.exit_code, 0) << post.output;
+  const Table after = read_table(first.folder / "stress.csv");
+  std::string places;
+  for (std::size_t i = 0; i < after.rows(); ++i) {
+    for (const char* name : {"x_m", "y_m", "z_m"}) {
+      char number[32];
+      std::snprintf(number, sizeof number, "%.17g ", after.column(name)[i]);
+      places += number;
+    }
+    places += '\n';
+  }
+  const auto folder = fresh_folder();
+  std::ofstream(folder / "places.txt") << places;
+  const auto second = run_liggghts_in(folder, deposition_with_fields(), vars);
+  ASSERT_EQ(second.exit_code, 0) << second.output;
+  const Table during = read_table(folder / ("fields." + step + ".csv"));
+  ASSERT_EQ(during.names(), after.names());
+  ASSERT_EQ(during.rows(), after.rows());
+  const auto& density = during.column("mass_density_kg_m3");
+  for (const auto& name : during.names()) {
+    const bool ratio = name.rfind("velocity", 0) == 0 || name.rfind("coord", 0) == 0 ||
+                       name.rfind("contacts", 0) == 0;
+    double scale = 0, worst = 0;
+    for (std::size_t i = 0; i < during.rows(); ++i) {
+      if (ratio && density[i] < 1) continue;
+      scale = std::max(scale, std::fabs(during.column(name)[i]));
+      worst = std::max(worst, std::fabs(during.column(name)[i] - after.column(name)[i]));
+    }
+    EXPECT_LE(worst, 1e-11 * scale) << name;
+  }
+  double largest = 0;
+  for (const double each : during.column("contact_stress_zz_N_m2"))
+    largest = std::max(largest, std::fabs(each));
+  EXPECT_GT(largest, 1);  // there are contacts
 }
 
 // A narrow column of spheres, 100 d_p high and 4 d_p wide: friction at the walls carries what is

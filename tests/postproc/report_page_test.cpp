@@ -9,6 +9,7 @@
 #include <set>
 
 #include "liggghts_run.h"
+#include "figures/packings/base64.h"
 #include "page/html.h"
 #include "page/packing_data.h"
 #include "page/tables.h"

@@ -9,6 +9,7 @@
 #include "ensemble/ensemble.h"
 #include "liggghts_run.h"
 #include "page/frame.h"
+#include "figures/packings/base64.h"
 #include "page/html.h"
 #include "page/study_page.h"
 #include "reading/data_error.h"

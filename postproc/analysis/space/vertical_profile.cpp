@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/space/body_volumes.h"
+#include "analysis/space/fields/spatial_fields.h"
 #include "reading/angles.h"
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
@@ -41,10 +42,9 @@ void VerticalProfileSample::start(const SpatialPacking& packing) {
     throw DataError("profile: expected a floor, found a periodic vertical");
   const double height = surface_ - walls_.low[walls_.vertical];
   if (!(height > 0)) throw TooFewParticles("profile: there is no bed above the floor");
-  const double diameters = options_.scale_in_diameters.value_or(packing.aspect_ratio / 2);
   sums_.axis = walls_.vertical;
   sums_.particle_diameter = packing.particle_diameter;
-  sums_.scale = options_.scale.value_or(diameters * packing.particle_diameter);
+  sums_.scale = averaging_scale(packing, options_);
   sums_.depth_of_floor = height;
   sums_.cross_section = cross_section(walls_);
   const double pieces = std::ceil(height / options_.spacing.value_or(sums_.scale / 4) - 1e-9);

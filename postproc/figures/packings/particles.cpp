@@ -21,6 +21,7 @@ std::vector<Joint> joints_of(const Frame& spheres, const std::vector<std::size_t
   const auto &x = spheres.column("x"), &y = spheres.column("y"), &radius = spheres.column("radius");
   const auto& body = spheres.column("body");
   const auto* id = spheres.has("id") ? &spheres.column("id") : nullptr;
+  const auto* z = spheres.has("z") ? &spheres.column("z") : nullptr;
   auto order = rows;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     if (body[a] != body[b]) return body[a] < body[b];
@@ -31,12 +32,13 @@ std::vector<Joint> joints_of(const Frame& spheres, const std::vector<std::size_t
     const auto a = order[k - 1], b = order[k];
     if (body[a] != body[b]) continue;
     const double size = std::min(radius[a], radius[b]), joint = size / 2;
-    const double half_distance = 0.5 * std::hypot(x[b] - x[a], y[b] - y[a]);
+    const double half_distance =
+        0.5 * std::hypot(x[b] - x[a], y[b] - y[a], z ? (*z)[b] - (*z)[a] : 0);
     // Deep overlaps need none; across a periodic side there is none. Drawn 5 % smaller, the spheres
     // of a coarse particle keep a gap.
     const bool deep = half_distance * half_distance < size * size - joint * joint;
     if (deep || half_distance > 1.5 * size) continue;
-    joints.push_back({(x[a] + x[b]) / 2, (y[a] + y[b]) / 2, joint, a});
+    joints.push_back({(x[a] + x[b]) / 2, (y[a] + y[b]) / 2, joint, a, b});
   }
   return joints;
 }

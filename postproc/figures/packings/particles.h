@@ -18,14 +18,14 @@ std::vector<std::size_t> visible_spheres(const Frame& spheres, const std::array<
 /// A small disc that joins two neighbouring spheres of one particle, m.
 struct Joint {
   double x, y, radius;
-  std::size_t sphere;  // row of one of the two
+  std::size_t sphere, other;  // rows of the two
 };
 
 /// Returns the joints of the particles' spheres among `rows` that hardly overlap, in which one
 /// particle cannot be told from two. Each lies around the middle of the two centres with half
 /// their radius, in the groove that no sphere of that size can reach: one that touches both begins
-/// sqrt(3) - 1 radii off their line. Spheres of a particle follow each other by their column `id`,
-/// where there is none by their rows.
+/// sqrt(3) - 1 radii off their line. In space (column `z`) a thin rod has its place. Spheres of a
+/// particle follow each other by their column `id`, where there is none by their rows.
 std::vector<Joint> joints_of(const Frame& spheres, const std::vector<std::size_t>& rows);
 
 /// Draws the spheres of `rows` as discs of their true size with one outline around each particle;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "figures/drawing.h"
-#include "figures/field_maps.h"
+#include "figures/edges/map_drawing.h"
 #include "figures/figure.h"
 #include "reading/number_text.h"
 

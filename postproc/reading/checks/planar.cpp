@@ -66,9 +66,13 @@ void require_planar_bodies(const Frame& bodies, double particle_diameter) {
   refuse(why_bodies_not_planar(bodies, particle_diameter));
 }
 
+std::string why_spheres_not_planar(const Frame& spheres, double particle_diameter) {
+  return why_not_in_plane(spheres, std::vector<double>(spheres.rows, 0), particle_diameter,
+                          "a sphere");
+}
+
 void require_planar_spheres(const Frame& spheres, double particle_diameter) {
-  refuse(why_not_in_plane(spheres, std::vector<double>(spheres.rows, 0), particle_diameter,
-                          "a sphere"));
+  refuse(why_spheres_not_planar(spheres, particle_diameter));
 }
 
 std::string why_contacts_not_planar(const Frame& contacts) {

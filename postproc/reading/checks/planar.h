@@ -23,7 +23,9 @@ std::string why_bodies_not_planar(const Frame& bodies, double particle_diameter)
 /// @throws DataError with that text.
 void require_planar_bodies(const Frame& bodies, double particle_diameter);
 
-/// Refuses spheres whose centres are not in one plane. @throws DataError as above.
+/// The same of spheres, whose centres count.
+std::string why_spheres_not_planar(const Frame& spheres, double particle_diameter);
+/// @throws DataError with that text.
 void require_planar_spheres(const Frame& spheres, double particle_diameter);
 
 /// Says why the contacts are not those of a planar packing: a normal out of the x-y plane, as that

@@ -162,18 +162,29 @@ std::optional<std::size_t> find_vertical(const Frame& frame, const std::string& 
   return stated_vertical(find_scene(frame), find_parameters(frame.file, parameters), space);
 }
 
-bool is_in_space(const Frame& bodies, const PackingOptions& options, const SpaceOptions& space) {
-  const auto vertical = find_vertical(bodies, options.parameters, space);
-  if (bodies.rows == 0) return false;
+bool is_in_space(const Frame& frame, const PackingOptions& options, const SpaceOptions& space) {
+  const auto vertical = find_vertical(frame, options.parameters, space);
+  if (frame.rows == 0) return false;
   constexpr std::size_t y = 1;
   if (vertical.value_or(y) != y) return true;
-  const auto reason = why_bodies_not_planar(bodies, sphere_diameter(bodies, options));
+  const double diameter = sphere_diameter(frame, options);
+  const auto reason = frame.has("half_length") ? why_bodies_not_planar(frame, diameter)
+                                               : why_spheres_not_planar(frame, diameter);
   if (!reason.empty() && !vertical)
     throw DataError(
         reason +
         "; a scene in space needs --vertical, or 'vertical_axis' in parameters.json, "
         "the axis that points up, or a 'dump scene' in the deck, with gravity along it");
   return !reason.empty();
+}
+
+SpatialWalls read_spatial_walls(const Frame& frame, const PackingOptions& options,
+                                const SpaceOptions& space) {
+  const auto parameters = find_parameters(frame.file, options.parameters);
+  const auto scene = find_scene(frame);
+  const auto vertical = stated_vertical(scene, parameters, space);
+  if (!vertical) throw DataError("--vertical: expected one of x, y, z, found none");
+  return find_spatial_walls(frame, space, scene, parameters, *vertical);
 }
 
 SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& options,
@@ -183,10 +194,8 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
                     ": the frame of timestep " + std::to_string(bodies.timestep) +
                     " holds no particles");
   const auto parameters = find_parameters(bodies.file, options.parameters);
-  const auto scene = find_scene(bodies);
-  const auto vertical = stated_vertical(scene, parameters, space);
-  if (!vertical) throw DataError("--vertical: expected one of x, y, z, found none");
   SpatialPacking packing;
+  packing.walls = read_spatial_walls(bodies, options, space);
   packing.timestep = bodies.timestep;
   const auto place = vector_columns(bodies, {"x", "y", "z"});
   const auto& count = bodies.column("nspheres");
@@ -196,17 +205,16 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
     packing.elongated.push_back(count[i] > 1);
     packing.axis.push_back(count[i] > 1 ? axes.axis(i, 0) : Vector3{1, 0, 0});
   }
-  packing.walls = find_spatial_walls(bodies, space, scene, parameters, *vertical);
   const auto sizes = particle_sizes(bodies, options, parameters);
   packing.particle_diameter = sizes.diameter;
   packing.aspect_ratio = sizes.aspect_ratio;
   require_room(packing);
   const auto& walls = packing.walls;
-  packing.surface = walls.high[*vertical];
-  if (!walls.periodic[*vertical]) {
+  const auto up = walls.vertical;
+  packing.surface = walls.high[up];
+  if (!walls.periodic[up]) {
     const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);
-    packing.surface =
-        bed_surface(*place[*vertical], weights(bodies), walls.low[*vertical], 1, layer);
+    packing.surface = bed_surface(*place[up], weights(bodies), walls.low[up], 1, layer);
   }
   return packing;
 }

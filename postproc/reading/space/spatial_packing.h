@@ -63,15 +63,22 @@ struct SpatialPacking {
 std::optional<std::size_t> find_vertical(const Frame& frame, const std::string& parameters,
                                          const SpaceOptions& space);
 
-/// Whether the frame of bodies is a scene in space: particles off their common plane z = constant,
-/// or a vertical other than y. @throws DataError when particles are off their plane and nobody says
-/// which axis is the vertical one (SpaceOptions::vertical, `vertical_axis` of parameters.json).
-bool is_in_space(const Frame& bodies, const PackingOptions& options, const SpaceOptions& space);
+/// Whether the frame of bodies or of spheres is a scene in space: particles off their common plane
+/// z = constant, or a vertical other than y. @throws DataError when particles are off their plane
+/// and nobody says which axis is the vertical one (SpaceOptions::vertical, `vertical_axis` of
+/// parameters.json).
+bool is_in_space(const Frame& frame, const PackingOptions& options, const SpaceOptions& space);
 
-/// Reads a frame with the columns `nspheres x y z qw qx qy qz half_length radius mass`. Walls: the
-/// options, else the run's scene (spatial_walls_of_scene()), else `container` ("box" or "cylinder", from 0 to container_width_m, floor at 0) of
-/// parameters.json, else the box bounds of the dump; d_p and AR as in particle_sizes().
-/// @throws DataError when the vertical is unknown, a column is missing, the frame is empty, the
+/// Finds the container of a frame in space: the options, else the run's scene
+/// (spatial_walls_of_scene()), else `container` ("box" or "cylinder", from 0 to container_width_m,
+/// floor at 0) of parameters.json, else the box bounds of the dump.
+/// @throws DataError when the vertical is unknown, or walls contradict each other or a period.
+SpatialWalls read_spatial_walls(const Frame& frame, const PackingOptions& options,
+                                const SpaceOptions& space);
+
+/// Reads a frame with the columns `nspheres x y z qw qx qy qz half_length radius mass`. Walls: as
+/// read_spatial_walls(); d_p and AR as in particle_sizes().
+/// @throws DataError as read_spatial_walls(), when a column is missing, the frame is empty, the
 ///   container has no room for a particle, or as particle_sizes().
 SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& options,
                                     const SpaceOptions& space);

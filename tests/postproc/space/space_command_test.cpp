@@ -111,7 +111,7 @@ TEST_F(SpaceCommand, RdfWritesItsTablesAndFigures) {
 TEST_F(SpaceCommand, RdfRefusesWhatItCannotMeasure) {
   expect_refusal("rdf b.dump", 1, "a scene in space needs --vertical");
   expect_refusal("rdf b.dump --vertical z --explain 1", 2,
-                 "--explain: expected in a scene in a plane alone");
+                 "--explain: expected in a scene in a plane, where three numbers say");
   expect_refusal("rdf b.dump --vertical z --axial 1 --axial-bin 0.6", 2,
                  "--axial: expected at least 2 bins");
   expect_refusal("rdf b.dump --vertical z --axial 100 --axial-bin 0.01", 2,
@@ -123,6 +123,92 @@ TEST_F(SpaceCommand, RdfRefusesWhatItCannotMeasure) {
   put(folder_ / "planar.dump", planar.bodies_frame(1));
   expect_refusal("rdf planar.dump --axial 3", 2, "--axial: expected in a scene in space alone");
   EXPECT_FALSE(fs::exists(folder_ / "rdf.csv"));
+}
+
+// A pile of spheres of 2 mm, in m and SI units, as LIGGGHTS would write it.
+class SpaceFields : public SpaceCommand {
+ protected:
+  void SetUp() override {
+    const auto frame = [](const std::string& what, int rows, const std::string& columns) {
+      return "ITEM: TIMESTEP\n7\nITEM: NUMBER OF " + what + "\n" + std::to_string(rows) +
+             "\nITEM: BOX BOUNDS ff ff ff\n0 0.01\n0 0.01\n0 0.1\nITEM: " + what + " " + columns +
+             "\n";
+    };
+    std::ostringstream bodies, contacts;
+    for (int k = 0; k < 5; ++k) {
+      const double z = 1e-3 + 2e-3 * k, below = k > 0 ? z - 2e-3 : 0;
+      bodies << k + 1 << " 1 0.005 0.005 " << z << " 1 0 0 0 0.001 0.001 0 1e-5 0 0 0\n";
+      contacts << k + 1 << ' ' << k << ' ' << (k == 0) << " 0.005 0.005 " << 2e-3 * k << " 0 0 "
+               << 9.81e-5 * (5 - k) << " 0.005 0.005 " << z << " 0.005 0.005 " << below << '\n';
+    }
+    put(folder_ / "bodies.dump",
+        frame("ATOMS", 5,
+              "id nspheres x y z qw qx qy qz half_length radius curvature mass vx vy vz") +
+            bodies.str());
+    put(folder_ / "contacts.dump",
+        frame("ENTRIES", 5, "body_i body_j wall x y z fx fy fz bix biy biz bjx bjy bjz") +
+            contacts.str());
+  }
+};
+
+TEST_F(SpaceFields, StressWritesTheGridSlicesAndRings) {
+  const auto box = run("stress bodies.dump --vertical z --scale 0.001 -o s");
+  ASSERT_EQ(box.exit_code, 0) << box.output;
+  EXPECT_THAT(box.output, HasSubstr("grid 21 x 21 x "));
+  EXPECT_THAT(box.output,
+              HasSubstr("written: s.vti .csv, s_pressure.png .svg, s_pressure_across.png .svg\n"));
+  expect_files({"s.vti", "s.csv", "s_pressure.png", "s_pressure.svg", "s_pressure_across.png"});
+  const auto table = read_table(folder_ / "s.csv");
+  // Five of 10 mg in a row: on their line the sum of their Gaussians.
+  const auto &x = table.column("x_m"), &y = table.column("y_m"), &z = table.column("z_m");
+  int on_line = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (std::abs(x[i] - 0.005) > 1e-9 || std::abs(y[i] - 0.005) > 1e-9) continue;
+    ++on_line;
+    double density = 0;
+    for (int k = 0; k < 5; ++k)
+      density += 1e-5 * std::exp(-std::pow((z[i] - 1e-3 - 2e-3 * k) / 1e-3, 2) / 2) /
+                 std::pow(2 * std::acos(-1.0) * 1e-6, 1.5);
+    EXPECT_NEAR(table.column("mass_density_kg_m3")[i], density, 1e-5 * 1e-5 / 1.6e-8);
+  }
+  EXPECT_GT(on_line, 10);
+  for (const std::string name : {"contact_stress_zz_N_m2", "boundary_force_density_z_N_m3",
+                                 "kinetic_stress_xy_N_m2", "coordination_number"})
+    EXPECT_EQ(table.column(name).size(), table.rows());
+
+  const auto round = run(
+      "stress bodies.dump --vertical z --cylinder 0.005 0.005 0.005 --scale 0.001 --slice z=0.004 "
+      "--slice x=0.006 -o r");
+  ASSERT_EQ(round.exit_code, 0) << round.output;
+  expect_files(
+      {"r_rings.csv", "r_pressure_rings.png", "r_pressure_z_0.004.png", "r_pressure_x_0.006.svg"});
+  EXPECT_FALSE(fs::exists(folder_ / "r_pressure.png"));
+  const auto rings = read_table(folder_ / "r_rings.csv");
+  EXPECT_EQ(rings.column("r_over_dp")[0], 0);
+  // The pile stands on the axis: all the stress there is upright.
+  const auto upright = rings.column("contact_stress_vv_N_m2");
+  const auto across = rings.column("contact_stress_rr_N_m2");
+  EXPECT_GT(upright[0], 1);
+  EXPECT_NEAR(across[0], 0, 1e-9 * upright[0]);
+}
+
+TEST_F(SpaceFields, OptionsOfTheOtherKindOfSceneAreRefused) {
+  expect_refusal("stress bodies.dump --vertical z --window 0 1 0 1", 2,
+                 "--window: expected in a scene in a plane alone");
+  expect_refusal("stress bodies.dump --vertical z --slice w=1", 2,
+                 "--slice: expected an axis and a place, such as y=0.018, found 'w=1'");
+  expect_refusal("stress bodies.dump --vertical z --slice x=1", 1,
+                 "slice: expected x of 0 to 0.01 m, found 1");
+  expect_refusal("stress bodies.dump --vertical z --kernel lucy --normalise walls", 1,
+                 "--normalise: expected the kernel gaussian in space, found lucy");
+  fs::remove(folder_ / "contacts.dump");
+  expect_refusal("stress bodies.dump --vertical z", 1, "contacts.dump");
+  EXPECT_FALSE(fs::exists(folder_ / "stress.csv"));
+  rodpack::test::SyntheticPacking planar;
+  planar.fill();
+  put(folder_ / "planar.dump", planar.bodies_frame(1));
+  expect_refusal("solid-fraction planar.dump --slice x=0.1", 2,
+                 "--slice: expected in a scene in space alone");
 }
 
 }  // namespace

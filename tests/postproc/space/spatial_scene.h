@@ -58,7 +58,7 @@ inline std::string spatial_bodies(const std::vector<Vector3>& centres,
       << centres.size() << "\nITEM: BOX BOUNDS " << flags << '\n';
   for (const double each : size) out << "0 " << each << '\n';
   out << "ITEM: ATOMS id type nspheres x y z angle qw qx qy qz half_length radius curvature area "
-         "mass\n";
+         "mass vx vy vz\n";
   for (std::size_t i = 0; i < centres.size(); ++i) {
     // The turn that takes the x axis to u about their common normal; u and -u are one rod.
     auto u = axes[i];
@@ -67,7 +67,7 @@ inline std::string spatial_bodies(const std::vector<Vector3>& centres,
     out << i + 1 << " 1 " << spheres;
     for (const double each : centres[i]) out << ' ' << each;
     out << " 0 " << (1 + u[0]) / length << " 0 " << -u[2] / length << ' ' << u[1] / length
-        << " 0.005 0.001 0 2e-5 1e-4\n";
+        << " 0.005 0.001 0 2e-5 1e-4 0 0 0\n";
   }
   return out.str();
 }

@@ -7,62 +7,18 @@
 #include <cmath>
 
 #include "analysis/space/body_volumes.h"
+#include "contact_scene.h"
 #include "liggghts_run.h"
 #include "../synthetic_packing.h"
 
 namespace {
 using namespace rodpack;
+using rodpack::test::frame_of;
 using rodpack::test::fresh_folder;
 using rodpack::test::put;
+using Scene = rodpack::test::ContactScene;
 using testing::HasSubstr;
 const double pi = std::acos(-1.0);
-
-// A frame of these columns and rows.
-Frame frame_of(const std::vector<std::string>& names,
-               const std::vector<std::vector<double>>& rows) {
-  Frame frame;
-  frame.file = "made.dump";
-  frame.names = names;
-  frame.rows = rows.size();
-  frame.columns.resize(names.size());
-  frame.bad_fields.resize(names.size());
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) frame.columns[c].push_back(row[c]);
-  return frame;
-}
-
-struct Scene {
-  std::vector<std::vector<double>> bodies, contacts;
-
-  // A sphere of radius 1/2.
-  void add_sphere(double x, double y, double z, double mass = 1) {
-    bodies.push_back({x, y, z, 1, 0.5, 0.5, 0, mass});
-  }
-  // `force` on i by j; j < 0: by a wall, at `to`.
-  void add_contact(int i, int j, const Vector3& from, const Vector3& to, const Vector3& force) {
-    contacts.push_back({i + 1.0, j + 1.0, j < 0 ? 1.0 : 0.0, (from[0] + to[0]) / 2,
-                        (from[1] + to[1]) / 2, (from[2] + to[2]) / 2, force[0], force[1], force[2],
-                        from[0], from[1], from[2], to[0], to[1], to[2]});
-  }
-  Frame body_frame() const {
-    return frame_of({"x", "y", "z", "nspheres", "half_length", "radius", "curvature", "mass"},
-                    bodies);
-  }
-  Frame contact_frame() const {
-    return frame_of({"body_i", "body_j", "wall", "x", "y", "z", "fx", "fy", "fz", "bix", "biy",
-                     "biz", "bjx", "bjy", "bjz"},
-                    contacts);
-  }
-  // z up, d_p = 1, AR = 1, the bed from 0 to `surface`.
-  SpatialPacking packing(const Vector3& size, double surface) const {
-    SpatialPacking packing;
-    packing.walls.high = size;
-    packing.surface = surface;
-    packing.particle_diameter = 1;
-    for (const auto& row : bodies) packing.centre.push_back({row[0], row[1], row[2]});
-    return packing;
-  }
-};
 
 VerticalProfile profile_of(const Scene& scene, const SpatialPacking& packing,
                            const FieldOptions& options) {
@@ -108,17 +64,7 @@ TEST(BodyVolumes, SpheresAndStraightChainsHaveClosedForms) {
 TEST(VerticalProfile, StressOfAPileBalancesItsWeightAndTheWalls) {
   const double g = 9.81;
   const int n = 12;
-  Scene scene;
-  for (int k = 0; k < n; ++k) scene.add_sphere(0.5, 0.5, k + 0.5, 1 + 0.1 * k);
-  double carried = 0;
-  for (int k = n - 1; k >= 0; --k) {
-    const double weight = (1 + 0.1 * k) * g, z = k + 0.5;
-    scene.add_contact(k, -1, {0.5, 0.5, z}, {0, 0.5, z}, {0.3, 0, weight / 2});
-    carried += weight / 2;
-    // From below: the next sphere, or the floor.
-    const Vector3 below{0.5, 0.5, k > 0 ? z - 1 : 0};
-    scene.add_contact(k, k > 0 ? k - 1 : -1, {0.5, 0.5, z}, below, {0, 0, carried});
-  }
+  const Scene scene = rodpack::test::pile_of_spheres(n, 0.5, 0.5);
   const double spacing = 1e-3;
   const auto profile =
       profile_of(scene, scene.packing({2, 3, 20}, n), scaled(0.7, spacing, Normalisation::none));
@@ -253,7 +199,7 @@ class ProfileCommand : public testing::Test {
     bodies << head << "ATOMS\n60\n"
            << box
            << "ATOMS id type nspheres x y z angle qw qx qy qz half_length radius curvature area "
-              "mass\n";
+              "mass vx vy vz\n";
     contacts
         << head << "ENTRIES\n60\n"
         << box
@@ -261,7 +207,7 @@ class ProfileCommand : public testing::Test {
            "overlap_n overlap_t nx ny nz\n";
     for (int k = 0; k < 60; ++k) {
       const double z = (k + 0.5) * d, below = k > 0 ? z - d : 0;
-      bodies << k + 1 << " 1 1 0.001 0.001 " << z << " 0 1 0 0 0 0.0005 0.0005 0 8e-7 1e-6\n";
+      bodies << k + 1 << " 1 1 0.001 0.001 " << z << " 0 1 0 0 0 0.0005 0.0005 0 8e-7 1e-6 0 0 0\n";
       contacts << k + 1 << ' ' << k << ' ' << k + 1 << ' ' << k << ' ' << (k == 0)
                << " 0.001 0.001 " << k * d << " 0 0 " << 2e-4 * (1 - std::exp((k - 60) / 16.0))
                << " 0.001 0.001 " << z << " 0.001 0.001 " << below << " 1e-6 0 0 0 1\n";
@@ -296,13 +242,18 @@ TEST_F(ProfileCommand, SolidFractionNeedsNoContacts) {
       "solid-fraction bodies.dump --vertical z --scale-in-dp 1 -o phi", folder_);
   ASSERT_EQ(result.exit_code, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("solid fraction, 3 w from floor and surface: 0.1309\n"));
+  // 2 mm wide, no place is 3 mm from the walls.
+  EXPECT_THAT(result.output, HasSubstr("disturbs it: none, the bed is too small\n"));
   const auto table = rodpack::test::read_table(folder_ / "phi.csv");
   EXPECT_EQ(table.column("height_over_dp")[0], 0);
   EXPECT_NEAR(table.column("solid_fraction")[0], pi / 6 / 4 / 2, 0.011 * pi / 6 / 4);
   // 1 mg per 4 mm^3.
   EXPECT_NEAR(table.column("density_kg_m3")[table.rows() / 2], 250, 1e-5);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "phi.png"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "phi.vti"));
+  for (const std::string name :
+       {"phi_grid.vti", "phi_grid.csv", "phi_map.png", "phi_map_across.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "phi_grid_rings.csv"));
   const auto refused = rodpack::test::run_rodpack(
       "solid-fraction bodies.dump --vertical z --window 0 1 0 1", folder_);
   EXPECT_EQ(refused.exit_code, 2);

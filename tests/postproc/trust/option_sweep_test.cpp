@@ -99,9 +99,12 @@ std::vector<std::string> wrong_values(const Option& option) {
   if (kind == "STEM") return {"", ".", "no/such/folder/x", "folder/", "folder", "a\nb"};
   if (kind == "FOLDER") return {"", "file"};
   if (kind == "FILE" || kind == "PROGRAM") return {"", "nowhere", "no/where"};
+  if (kind == "AXIS")
+    return {"",      "nonsense", "0.1",   "x",       "x=",    "=0.1",
+            "w=0.1", "x=abc",    "x=nan", "x=1e400", "x=0.1,"};
   if (kind == "LIST") return {"", "nonsense", "surface,nonsense"};
   ADD_FAILURE() << option.name << " takes '" << option.takes
-                << "': expected a range, a choice, or STEM, FOLDER, FILE, PROGRAM or LIST";
+                << "': expected a range, a choice, or STEM, FOLDER, FILE, PROGRAM, AXIS or LIST";
   return {};
 }
 

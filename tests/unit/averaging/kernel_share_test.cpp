@@ -90,12 +90,75 @@ TEST(KernelShare, OneWallAndACorner) {
   EXPECT_NEAR(kernel_share(lucy, h, 0, wall), 1 - beyond, 1e-9);
 }
 
-TEST(KernelShare, ThreeDimensionsAreRefused) {
+TEST(KernelShare, ARectangleTakesTwoDimensionsAndSpaceAGaussianOfThree) {
   EXPECT_THAT(
       [] {
         kernel_share({KernelShape::gaussian, 3, 1}, 0, 0, Rectangle{0, 1, 0, 1});
       },
       ThrowsMessage<std::invalid_argument>(HasSubstr("kernel of 3 dimensions")));
+  const UprightContainer cube{{{0, 0, 0}}, {{1, 1, 1}}};
+  for (const AveragingKernel& kernel :
+       {AveragingKernel(KernelShape::gaussian, 2, 1), AveragingKernel(KernelShape::lucy, 3, 1)})
+    EXPECT_THAT(
+        [&] {
+          kernel_share(kernel, Vector{{0, 0, 0}}, cube);
+        },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("a gaussian of 3 dimensions")));
+}
+
+// On a face, an edge and a corner of an octant a half, a quarter and an eighth; within a cylinder
+// on its axis 1 - exp(-R^2 / 2 w^2), on a wall of next to no curvature a half, and elsewhere the
+// sum over midpoints of small squares of its cross-section.
+TEST(KernelShare, BoxAndCylinderInSpace) {
+  const double w = 0.5;
+  const AveragingKernel kernel(KernelShape::gaussian, 3, w, 6);
+  const UprightContainer octant{{{0, 0, 0}}, {{endless, endless, endless}}};
+  EXPECT_NEAR(kernel_share(kernel, {{9, 0, 9}}, octant), 0.5, 1e-15);
+  EXPECT_NEAR(kernel_share(kernel, {{0, 9, 0}}, octant), 0.25, 1e-15);
+  EXPECT_NEAR(kernel_share(kernel, {{0, 0, 0}}, octant), 0.125, 1e-15);
+
+  // Upright along y, so that its axis stands at z = 1, x = 2.
+  UprightContainer cylinder{{{0, 0, 0}}, {{0, endless, 0}}, 1, true, {{1, 2}}, 0.8};
+  EXPECT_NEAR(kernel_share(kernel, {{2, 9, 1}}, cylinder), 1 - std::exp(-0.32 / (w * w)), 1e-13);
+  EXPECT_NEAR(kernel_share(kernel, {{2, 0, 1}}, cylinder), 0.5 - 0.5 * std::exp(-0.32 / (w * w)),
+              1e-13);
+  const double step = 1e-3;
+  for (const double off : {0.3, 0.8, 1.1}) {
+    double sum = 0;
+    for (double a = -0.8 + step / 2; a < 0.8; a += step)
+      for (double b = -0.8 + step / 2; b < 0.8; b += step)
+        if (a * a + b * b < 0.64)
+          sum += std::exp(-((a - off) * (a - off) + b * b) / (2 * w * w)) * step * step;
+    EXPECT_NEAR(kernel_share(kernel, {{2 + off, 9, 1}}, cylinder), sum / (2 * M_PI * w * w), 1e-4)
+        << off;
+  }
+  cylinder.radius = 1e4 * w;
+  EXPECT_NEAR(kernel_share(kernel, {{2 + cylinder.radius, 9, 1}}, cylinder), 0.5, 1e-4);
+  EXPECT_TRUE(cylinder.contains({{2, 0, 1}}));
+  EXPECT_FALSE(cylinder.contains({{2, -0.1, 1}}));
+  EXPECT_TRUE(cylinder.contains({{2, -0.1, 1}}, 0.2));
+  EXPECT_FALSE(cylinder.contains({{2 + 1.1 * cylinder.radius, 1, 1}}));
+}
+
+// Particles at the middles of small cubes that fill a cylinder, each with the share of its cube
+// that lies inside taken as all or nothing: the solid fraction comes out flat up to the wall, to
+// the roughness of the rim, a tenth of the cube's edge in w.
+TEST(KernelShare, AUniformCylinderIsFlatUpToItsWall) {
+  const double a = 0.1;
+  const AveragingKernel kernel(KernelShape::gaussian, 3, 1, 6);
+  const UprightContainer cylinder{{{0, 0, 0}}, {{0, 0, 4}}, 2, true, {{0, 0}}, 2};
+  CoarseGraining averages(
+      kernel, std::vector<Vector>{{{0, 0, 0}}, {{2, 0, 2}}, {{1.2, 1.2, 4}}, {{2.5, 0, 1}}});
+  for (double x = -2 + a / 2; x < 2; x += a)
+    for (double y = -2 + a / 2; y < 2; y += a)
+      for (double z = a / 2; z < 4; z += a)
+        if (x * x + y * y < 4)
+          averages.add(Particle{{{x, y, z}}, {{0, 0, 0}}, 1, 0.6 * a * a * a, {}});
+  auto fields = averages.fields();
+  normalise_by_share(averages, cylinder, fields);
+  const auto& phi = named(fields, "solid_fraction").values[0];
+  for (const std::size_t k : {0U, 1U, 2U}) EXPECT_NEAR(phi[k], 0.6, 6e-3) << k;
+  EXPECT_EQ(phi[3], 0);
 }
 
 // Particles at the middles of small squares that fill the container, with a uniform velocity: a sum
@@ -114,7 +177,7 @@ TEST(KernelShare, AUniformSceneIsFlatUpToItsWalls) {
             Particle{{{(i + 0.5) * a, (j + 0.5) * a, 0}}, {{2, 0, 0}}, 3, 0.8 * a * a, {}});
     auto fields = averages.fields();
     const auto plain = fields;
-    normalise_by_share(averages, {0, 12, 0, 8}, fields);
+    normalise_by_share(averages, Rectangle{0, 12, 0, 8}, fields);
     for (std::size_t i = 0; i < grid.size(); ++i) {
       const bool outside = grid.place(i)[1] > 8.5;
       EXPECT_NEAR(named(fields, "solid_fraction").values[0][i], outside ? 0 : 0.8, 1e-4);

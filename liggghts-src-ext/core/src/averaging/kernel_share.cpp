@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "../pi.h"
+
 namespace rodpack {
 
 namespace {
@@ -51,7 +53,69 @@ double lucy_share(const AveragingKernel& kernel, double x, double y, const Recta
   return share;
 }
 
+// Of a Gaussian of two dimensions about a place `off` the middle of a disc: with x = R sin t the
+// strips of it, each an error function long.
+double share_in_disc(double radius, double off, double scale) {
+  const int steps = std::max(64, static_cast<int>(std::ceil(16 * radius / scale)));
+  double sum = 0;
+  for (int k = 0; k < steps; ++k) {
+    const double t = 2 * pi * (k + 0.5) / steps;
+    const double half = radius * std::cos(t);
+    sum += gaussian(radius * std::sin(t) - off, scale) * half *
+           std::erf(half / (scale * std::sqrt(2.0)));
+  }
+  return sum * pi / steps;  // half of the circle
+}
+
+// Divides by `share_at` of each place; all is 0 where it is negative.
+template <class Share>
+void divide_by(const CoarseGraining& averages, const Share& share_at, std::vector<Field>& fields) {
+  const auto is_ratio = [](const std::string& name) {
+    return name == "velocity" || name == "coordination_number" || name == "contacts_per_particle";
+  };
+  for (std::size_t i = 0; i < averages.places(); ++i) {
+    const double share = share_at(averages.place(i));
+    for (Field& field : fields)
+      for (auto& values : field.values)
+        if (share < 0)
+          values[i] = 0;
+        else if (!is_ratio(field.name))
+          values[i] /= share;
+  }
+}
+
+constexpr double outside = -1;
+
+// Of places on a wall, m.
+double rounding_of(const CoarseGraining& averages) { return 1e-9 * averages.kernel().scale(); }
+
 }  // namespace
+
+bool UprightContainer::contains(const Vector& place, double slack) const {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!round || axis == vertical)
+      if (place[axis] < low[axis] - slack || place[axis] > high[axis] + slack) return false;
+  if (!round) return true;
+  return std::hypot(place[(vertical + 1) % 3] - middle[0], place[(vertical + 2) % 3] - middle[1]) <=
+         radius + slack;
+}
+
+double kernel_share(const AveragingKernel& kernel, const Vector& place,
+                    const UprightContainer& container) {
+  if (kernel.dimension() != 3 || kernel.shape() != KernelShape::gaussian)
+    throw std::invalid_argument(
+        "share of a kernel inside a container in space: expected a gaussian of 3 dimensions");
+  const double w = kernel.scale();
+  const auto along = [&](std::size_t axis) {
+    return gaussian_integral(container.low[axis] - place[axis], container.high[axis] - place[axis],
+                             w);
+  };
+  const auto up = container.vertical, first = (up + 1) % 3, second = (up + 2) % 3;
+  if (!container.round) return along(up) * along(first) * along(second);
+  const double off =
+      std::hypot(place[first] - container.middle[0], place[second] - container.middle[1]);
+  return along(up) * share_in_disc(container.radius, off, w);
+}
 
 double kernel_share(const AveragingKernel& kernel, double x, double y, const Rectangle& container) {
   if (kernel.dimension() != 2)
@@ -70,23 +134,29 @@ double kernel_share(const AveragingKernel& kernel, double x, double y, const Rec
 
 void normalise_by_share(const CoarseGraining& averages, const Rectangle& container,
                         std::vector<Field>& fields) {
-  const double rounding = 1e-9 * averages.kernel().scale();  // of places on a wall
+  const double rounding = rounding_of(averages);
   const Rectangle inside{container.left - rounding, container.right + rounding,
                          container.bottom - rounding, container.top + rounding};
-  const auto is_ratio = [](const std::string& name) {
-    return name == "velocity" || name == "coordination_number" || name == "contacts_per_particle";
-  };
-  for (std::size_t i = 0; i < averages.places(); ++i) {
-    const Vector place = averages.place(i);
-    const bool within = inside.contains(place[0], place[1]);
-    const double share = kernel_share(averages.kernel(), place[0], place[1], container);
-    for (Field& field : fields)
-      for (auto& values : field.values)
-        if (!within)
-          values[i] = 0;
-        else if (!is_ratio(field.name))
-          values[i] /= share;
-  }
+  divide_by(
+      averages,
+      [&](const Vector& place) {
+        return inside.contains(place[0], place[1])
+                   ? kernel_share(averages.kernel(), place[0], place[1], container)
+                   : outside;
+      },
+      fields);
+}
+
+void normalise_by_share(const CoarseGraining& averages, const UprightContainer& container,
+                        std::vector<Field>& fields) {
+  divide_by(
+      averages,
+      [&](const Vector& place) {
+        return container.contains(place, rounding_of(averages))
+                   ? kernel_share(averages.kernel(), place, container)
+                   : outside;
+      },
+      fields);
 }
 
 }  // namespace rodpack

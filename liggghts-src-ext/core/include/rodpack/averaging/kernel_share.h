@@ -2,6 +2,7 @@
 #ifndef RODPACK_AVERAGING_KERNEL_SHARE_H
 #define RODPACK_AVERAGING_KERNEL_SHARE_H
 
+#include <array>
 #include <vector>
 
 #include "../geometry/disc_in_rectangle.h"
@@ -18,6 +19,27 @@ namespace rodpack {
 /// @throws std::invalid_argument for a kernel of three dimensions.
 double kernel_share(const AveragingKernel& kernel, double x, double y, const Rectangle& container);
 
+/// An upright box in space, or a cylinder in place of its side walls; lengths in m, infinite where
+/// there is no wall.
+struct UprightContainer {
+  Vector low, high;
+  std::size_t vertical = 2;        // the axis that it stands along, 0 to 2
+  bool round = false;              // the side wall is a cylinder; `low` and `high` of the others
+                                   // two axes are of no meaning then
+  std::array<double, 2> middle{};  // its axis, along the two axes after the vertical one in the
+                                   // order x, y, z, x
+  double radius = 0;
+  /// Whether a place lies in it, or beyond its walls by at most `slack`, m.
+  bool contains(const Vector& place, double slack = 0) const;
+};
+
+/// The same in three dimensions, of the Gaussian alone: a product of error functions, and over the
+/// cross-section of a cylinder the sum of equal steps of an angle, along which the integrand is
+/// analytic and periodic, so that it errs by rounding alone.
+/// @throws std::invalid_argument for another kernel.
+double kernel_share(const AveragingKernel& kernel, const Vector& place,
+                    const UprightContainer& container);
+
 /// Divides the densities among the fields (all but velocity, coordination_number and
 /// contacts_per_particle, which are ratios) by the kernel's share inside `container`, so that they
 /// are means over the part of the kernel where there can be particles; outside all fields are 0.
@@ -25,6 +47,8 @@ double kernel_share(const AveragingKernel& kernel, double x, double y, const Rec
 /// before, not after: the share has a gradient.
 /// @throws std::invalid_argument as kernel_share().
 void normalise_by_share(const CoarseGraining& averages, const Rectangle& container,
+                        std::vector<Field>& fields);
+void normalise_by_share(const CoarseGraining& averages, const UprightContainer& container,
                         std::vector<Field>& fields);
 
 }  // namespace rodpack
