@@ -114,7 +114,7 @@ std::string describe(const Packing& packing) {
   return "walls: " + packing.walls.source + "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
          number_text((packing.surface - packing.walls.floor) / packing.particle_diameter, 4) +
-         " d_p high";
+         " d_p high" + (packing.inclination == 0 ? "" : "\n" + note_on_slope(packing));
 }
 
 std::string describe(const SpatialPacking& packing) {
