@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# From a fresh clone to a packing: sets the machine up, builds, runs the deposition, analyses it.
+# From a fresh clone to a packing: sets the machine up, builds, runs a scene, analyses it.
 #
-#   inputs/run.sh PRESET [-var NAME VALUE ...]
+#   inputs/run.sh SCENE [-var NAME VALUE ...]
 #
-# PRESET    quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one);
-#           quick is narrower and lower, and orders otherwise: its numbers are not the paper's
-# -var …    handed to the deck, see inputs/README.md
-# OUT=…     run folder, default results/PRESET; a relative one starts at the root of the repository
+# SCENE     quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one), two presets
+#           of the deposition; quick is narrower and lower, and orders otherwise: its numbers are not the
+#           paper's. Or a scene of its own folder: deposition3d, discharge, discharge3d, incline (minutes)
+# -var …    handed to the deck, see inputs/README.md and the scene's own page
+# OUT=…     run folder, default results/SCENE; a relative one starts at the root of the repository
 # RANKS=n   MPI ranks, default 1
 # A run that is complete is not run again; one that was interrupted goes on from its last restart file.
 set -eu
@@ -18,18 +19,19 @@ refuse() {
   exit 2
 }
 
-case "${1:-}" in
-  quick | paper) ;;
+scene=${1:-}
+case $scene in
+  quick | paper) deck=deposition ;;
+  deposition3d | discharge | discharge3d | incline) deck=$scene ;;
   *)
-    echo "inputs/run.sh: preset '${1:-}', expected quick or paper" >&2
+    echo "inputs/run.sh: scene '$scene', expected quick, paper, deposition3d, discharge, discharge3d or incline" >&2
     sed -n '3,/^set/{/^set/!s/^# \{0,1\}//p}' inputs/run.sh >&2
     exit 2
     ;;
 esac
-preset=$1
 shift
-arguments="$preset $*"
-out=${OUT:-results/$preset}
+arguments="$scene $*"
+out=${OUT:-results/$scene}
 ranks=${RANKS:-1}
 case $ranks in
   *[!0-9]* | 0*) refuse "RANKS is '$ranks', expected a number of MPI ranks, 1 or more" ;;
@@ -65,23 +67,39 @@ docker/setup.sh
 echo "2/4 build of liggghts and rodpack (three to six minutes on two cores the first time)"
 docker/build.sh
 
-case $preset in
+case $scene in
   quick) takes="ten seconds" ;;
   paper) takes="half an hour to one" ;;
+  *) takes="some minutes" ;;
 esac
 echo "3/4 run: $out ($takes; every line below is a report of its own)"
 if [ -e "$out/result.json" ]; then
   echo "$out is complete: not run again (delete it, or choose another with OUT=…)"
 else
-  RANKS=$ranks inputs/deposition/run_one.sh "$out" -var preset "$preset" "$@"
+  case $scene in
+    quick | paper) set -- -var preset "$scene" "$@" ;;
+  esac
+  SCENE=$deck RANKS=$ranks inputs/deposition/run_one.sh "$out" "$@"
   printf '%s\n' "$arguments" > "$out/arguments"
 fi
 
 echo "4/4 analysis and figures"
-build/bin/rodpack analyse "$out"
+mkdir -p "$out/analysis"
+case $scene in
+  quick | paper | deposition3d) build/bin/rodpack analyse "$out" ;;
+  discharge)
+    build/bin/rodpack discharge "$out" -o "$out/analysis/outflow"
+    build/bin/rodpack render "$out/dumps/spheres.*.dump" -o "$out/analysis/packing"
+    ;;
+  discharge3d) build/bin/rodpack discharge "$out" -o "$out/analysis/outflow" ;;
+  incline)
+    build/bin/rodpack incline "$out" -o "$out/analysis/chute"
+    build/bin/rodpack render "$out/dumps/spheres.*.dump" -o "$out/analysis/packing"
+    ;;
+esac
 echo "Figures:"
 find "$out/analysis" \( -name '*.png' -o -name '*.svg' \) | sort
-if [ "$preset" = quick ]; then
+if [ "$scene" = quick ]; then
   echo "quick is a first look, not the paper's scene: in so narrow and low a container particles order otherwise"
   echo "(report.html and the lines above say how). The paper's bed: inputs/run.sh paper"
 fi

@@ -96,12 +96,19 @@ class Deck:
 
     def __init__(self, file=DECK):
         self.file = Path(file)
-        self.commands = list(commands(self.file.read_text()))
+        self.commands = list(self._commands(self.file))
         self.parameters = {
             words[1]: parameter_of(words)
             for words in self.commands
             if words[0] == "parameter" and len(words) > 3
         }
+
+    def _commands(self, file):
+        for words in commands(file.read_text()):
+            if words[:2] == ["parameter", "include"]:
+                yield from self._commands(self.file.parent / words[2])
+            else:
+                yield words
 
     def evaluate(self, given):
         """All that follows from the given parameters, {name: text}, the others at their default.

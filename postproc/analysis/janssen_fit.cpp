@@ -36,6 +36,10 @@ struct JanssenResiduals {
 }  // namespace
 
 JanssenFit fit_janssen(const PressureProfile& profile) {
+  if (profile.inclination != 0)
+    throw TooFewParticles(
+        "Janssen fit: none where gravity is off -y, for side walls do not carry "
+        "such a bed alone");
   const double floor = profile.depth_of_floor;
   if (floor < 6 * profile.scale)
     throw TooFewParticles("Janssen fit: the bed is too low, " +

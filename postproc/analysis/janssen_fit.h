@@ -21,8 +21,8 @@ struct JanssenFit {
 /// The standard errors come from the residuals; neighbouring depths share their noise through the
 /// kernel, whose correlation over a distance x is exp(-x^2 / 4 w^2), so that the variances are
 /// multiplied by its integral 2 sqrt(pi) w over the spacing of the depths.
-/// @throws TooFewParticles in a bed lower than 6 w, where the smoothing outweighs the law, with
-/// fewer than 5 depths, and when the fit does not converge.
+/// @throws TooFewParticles where gravity is not along -y, in a bed lower than 6 w, where the
+/// smoothing outweighs the law, with fewer than 5 depths, and when the fit does not converge.
 JanssenFit fit_janssen(const PressureProfile& profile);
 
 /// Says the fit in one line: "P_j = ... +- ... N/m, h_c = ... +- ... d_p", or that the pressure

@@ -72,6 +72,7 @@ PressureProfile ProfileSample::result() const {
   profile.scale = averages_->kernel().scale();
   profile.depth_of_floor = packing_.surface - packing_.walls.floor;
   profile.reach = kernel_reach(averages_->kernel());
+  profile.inclination = packing_.inclination;
   profile.walls_divided_out = options_.normalisation == Normalisation::walls;
   const auto heights = undisturbed_heights(packing_, profile.reach, options_.normalisation);
   profile.undisturbed = {packing_.surface - heights[1], packing_.surface - heights[0]};

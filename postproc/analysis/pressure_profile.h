@@ -19,6 +19,7 @@ struct PressureProfile {
   double scale = 0;                // w, m
   double depth_of_floor = 0;       // m
   double reach = 0;                // kernel_reach(), m
+  double inclination = 0;          // of gravity against -y, rad
   bool walls_divided_out = false;  // by the kernel's share between them
   // Depths between which the averages hold nothing of the space beyond walls and surface, m; none
   // when the second is not larger. Of a packing's own profile alone.

@@ -22,6 +22,7 @@ void add_compare(CLI::App& app);
 void add_accuracy(CLI::App& app);
 void add_timestep(CLI::App& app);
 void add_discharge(CLI::App& app);
+void add_incline(CLI::App& app);
 
 }  // namespace rodpack::cli
 

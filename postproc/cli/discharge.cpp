@@ -31,11 +31,12 @@ struct MeasuredRun {
   std::string folder;
   OutflowHistory history;
   Outflow outflow;
+  int dimension;      // 2 in a plane, 3 in space
   double width;       // D / d_p
   double rate_scale;  // sqrt(d_p / g), s
 };
 
-MeasuredRun measure_run(const std::string& folder, const OutflowOptions& options) {
+MeasuredRun measure_run(const std::string& folder, OutflowOptions options) {
   const auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
   const double width = parameters.number("orifice_width_m"), g = parameters.number("gravity_m_s2");
   const double diameter = parameters.number("particle_diameter_m");
@@ -43,9 +44,14 @@ MeasuredRun measure_run(const std::string& folder, const OutflowOptions& options
     throw DataError(parameters.file +
                     ": expected orifice_width_m and gravity_m_s2 above 0, found " +
                     number_text(width) + " and " + number_text(g));
+  if (parameters.values.contains("close_after_s") && parameters.number("close_after_s") > 0)
+    options.closed_at = parameters.number("close_after_s");
+  // A scene in space states which axis is the vertical one.
+  const int dimension = parameters.values.contains("vertical_axis") ? 3 : 2;
   auto history = read_outflow((fs::path(folder) / "discharge.csv").string());
   auto outflow = measure_outflow(history, options);
-  return {folder, std::move(history), outflow, width / diameter, std::sqrt(diameter / g)};
+  return {folder,    std::move(history), outflow,
+          dimension, width / diameter,   std::sqrt(diameter / g)};
 }
 
 std::string or_empty(const std::optional<double>& value, double factor = 1) {
@@ -98,11 +104,13 @@ void fit_and_draw(const std::vector<MeasuredRun>& runs, const std::string& stem)
   if (width.empty() && clogged.empty())
     throw TooFewParticles("discharge: none of the runs has a steady rate or is clogged");
   std::optional<BeverlooFit> fit;
+  const int dimension = runs.front().dimension;
   try {
-    fit = fit_beverloo(width, rate);
-    std::cout << "Q sqrt(d_p/g) = C (D/d_p - k)^(3/2): C = " << number_text(fit->c, 3) << " +- "
-              << number_text(fit->c_error, 2) << ", k = " << number_text(fit->k, 3) << " +- "
-              << number_text(fit->k_error, 2) << '\n';
+    fit = fit_beverloo(width, rate, dimension);
+    std::cout << "Q sqrt(d_p/g) = C (D/d_p - k)^(" << 2 * dimension - 1
+              << "/2): C = " << number_text(fit->c, 3) << " +- " << number_text(fit->c_error, 2)
+              << ", k = " << number_text(fit->k, 3) << " +- " << number_text(fit->k_error, 2)
+              << '\n';
     if (fit->exponent)
       std::cout << "with C, k and the exponent free: exponent " << number_text(*fit->exponent, 3)
                 << " +- " << number_text(*fit->exponent_error, 2) << '\n';
@@ -119,6 +127,11 @@ void run_discharge(const DischargeCommand& command) {
                                              number_text(command.outflow.to));
   std::vector<MeasuredRun> runs;
   for (const auto& folder : command.runs) runs.push_back(measure_run(folder, command.outflow));
+  for (const auto& run : runs)
+    if (run.dimension != runs.front().dimension)
+      throw DataError(run.folder + ": expected a scene " +
+                      (runs.front().dimension == 3 ? "in space" : "in a plane") + " as that of " +
+                      runs.front().folder);
   for (const auto& run : runs) print_run(run);
   if (runs.size() == 1)
     plot_outflow(runs.front().history, runs.front().outflow, command.stem);
@@ -134,8 +147,10 @@ void add_discharge(CLI::App& app) {
   auto options = std::make_shared<DischargeCommand>();
   auto* command = app.add_subcommand(
       "discharge",
-      "Flow through an orifice, of runs of inputs/discharge/: steady rate with its standard error, "
-      "clogged or not; of several widths Beverloo's law and the exponent.");
+      "Flow through an orifice, of runs of inputs/discharge/ and inputs/discharge3d/: steady rate "
+      "with its standard error, "
+      "clogged or not; of several widths Beverloo's law, with exponent 3/2 in a plane "
+      "and 5/2 in space, and the exponent.");
   command->footer(
       "Examples:\n"
       "  rodpack discharge results/orifice_24mm\n"

@@ -152,7 +152,8 @@ std::string describe(const Packing& packing) {
   return "walls: " + packing.walls.source + "; d_p = " + number_text(packing.particle_diameter, 5) +
          " m, AR = " + number_text(packing.aspect_ratio, 4) + ", bed " +
          number_text((packing.surface - packing.walls.floor) / packing.particle_diameter, 4) +
-         " d_p high" + lines_of_notes(packing.walls.notes);
+         " d_p high" + (packing.inclination == 0 ? "" : "\n" + note_on_slope(packing)) +
+         lines_of_notes(packing.walls.notes);
 }
 
 std::string describe(const SpatialPacking& packing) {

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   cli::add_accuracy(app);
   cli::add_timestep(app);
   cli::add_discharge(app);
+  cli::add_incline(app);
 
   try {
     app.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "reading/angles.h"
 #include "reading/checks/particle_sizes.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
@@ -63,6 +64,8 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
   packing.area = frame.column("area");
   for (const double count : frame.column("nspheres")) packing.elongated.push_back(count > 1);
   packing.walls = find_walls(frame, options, parameters);
+  if (parameters && parameters->values.contains("inclination_deg"))
+    packing.inclination = parameters->number("inclination_deg") * degree;
 
   const auto sizes = particle_sizes(frame, options, parameters);
   packing.particle_diameter = sizes.diameter;
@@ -84,6 +87,12 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
         bed_surface(packing.y, packing.area, packing.walls.floor, packing.walls.width(), layer);
   }
   return packing;
+}
+
+std::string note_on_slope(const Packing& packing) {
+  if (packing.inclination == 0) return "";
+  return "gravity is " + number_text(packing.inclination * degrees_in_radian, 4) +
+         " degrees off -y: angles are to the base (x), depths across it (along y)";
 }
 
 double sphere_diameter(const Frame& spheres, const PackingOptions& options) {

@@ -46,6 +46,7 @@ struct Packing {
   double particle_diameter = 0;  // d_p, m
   double aspect_ratio = 1;       // AR = l_axial / d_p
   double surface = 0;  // y of the bed's surface, m, see bed_surface(); without a floor the ceiling
+  double inclination = 0;  // of gravity against -y, towards +x: inclination_deg, rad
 
   /// Number of particles.
   std::size_t size() const { return x.size(); }
@@ -67,6 +68,9 @@ Walls find_walls(const Frame& frame, const PackingOptions& options,
 /// @throws DataError when a column is missing, the frame is empty, a length is not positive, d_p is
 ///   not that of the spheres by a factor of 10, or as require_planar_bodies().
 Packing read_packing(const Frame& frame, const PackingOptions& options = {});
+
+/// What has to be said of angles and depths where gravity is not along -y; empty where it is.
+std::string note_on_slope(const Packing& packing);
 
 /// Returns d_p of a frame of bodies or spheres (column `radius`), m: the options, else
 /// parameters.json, else the mean 2 radius.

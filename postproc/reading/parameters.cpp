@@ -23,6 +23,7 @@ NumberRange parameter_range(const std::string& key) {
       {"gravity_m_s2", {0, 1e9}},
       {"density_kg_m3", {0, 1e9, false, true}},
       {"friction", {0, 1000}},
+      {"inclination_deg", {0, 90}},
   };
   const auto found = known.find(key);
   constexpr double largest = 1e300;

@@ -198,6 +198,8 @@ class Analysis {
       if (!scene.empty()) summary_["scene"] = scene;
     }
     start_notes(packing.walls.source, packing.walls.notes, "--walls");
+    if (packing.inclination != 0) summary_["notes"].push_back(note_on_slope(packing));
+    first_measure_note_ = summary_["notes"].size();
     int made = measure_bodies(files_.bodies, packing, out_, summary_);
     options_.packing.particle_diameter = packing.particle_diameter;
     report_contacts(contacts_, out_, summary_);

@@ -31,14 +31,18 @@ refuses() {
   fi
 }
 
-refuses "preset '', expected quick or paper"
-refuses "preset 'foo', expected quick or paper" foo
+scenes='expected quick, paper, deposition3d, discharge, discharge3d or incline'
+refuses "scene '', $scenes"
+refuses "scene 'foo', $scenes" foo
+refuses "scene 'inputs/discharge', $scenes" inputs/discharge
 refuses "'particles 30', expected -var NAME VALUE" quick particles 30
 refuses "'-var particles', expected -var NAME VALUE" quick -var seed 1 -var particles
 refuses "'--var particles 30', expected -var NAME VALUE" quick --var particles 30
 refuses "-var out here: give the run folder as OUT=here" quick -var out here
 refuses "-var seed is given twice" quick -var seed 1 -var seed 2
 refuses "'6 7', expected -var NAME VALUE" quick -var seed 5 6 7
+refuses "-var preset paper: give the preset as the first argument" incline -var preset paper
+refuses "'particles 30', expected -var NAME VALUE" discharge3d particles 30
 refuses "-var preset paper: give the preset as the first argument" quick -var preset paper
 for ranks in abc 1.5 0 -1; do
   export RANKS=$ranks
@@ -46,7 +50,7 @@ for ranks in abc 1.5 0 -1; do
 done
 unset RANKS
 
-for arguments in 'quick -var particles 9' 'quick' 'paper -var particles 30'; do
+for arguments in 'quick -var particles 9' 'quick' 'paper -var particles 30' 'incline -var particles 30'; do
   # shellcheck disable=SC2086  # several words
   refuses "$work holds the run 'quick -var particles 30', not '$arguments" $arguments
 done

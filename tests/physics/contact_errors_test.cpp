@@ -97,8 +97,6 @@ TEST(ContactErrors, ComputesAndDumps) {
   expect_error(small_deck(ours, "compute c all multisphere/ke x"), {}, "unknown word 'x'");
   expect_error(small_deck(ours, "group g id 1\ncompute c g contact/energy"), {},
                "the group has to be 'all'");
-  expect_error(small_deck(ours, "group g id 1\ndump d g multisphere/body 1 b.dump"), {},
-               "the group has to be 'all'");
   expect_error(small_deck(ours, "dump d all contact/gran 1 c.dump x"), {}, "unknown argument x");
   expect_error(small_deck(ours, "dump d all contact/gran 1 c.dump.bin"), {}, "is text only");
   expect_error(small_deck(ours, "dump d all contact/gran 1 c.dump\ndump_modify d format %d"), {},

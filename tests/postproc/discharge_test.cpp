@@ -76,6 +76,23 @@ TEST(Outflow, FullThroatFlowsOrIsCloggedAnEmptyOneHasDrained) {
   EXPECT_EQ(measure_outflow(even_flow(0, 2, 80), {}).end, OutflowEnd::clogged);
 }
 
+// Closed 1 s after the opening at 500 per second: 20 and 70 % of 500. An orifice that had clogged
+// by then was not closed.
+TEST(Outflow, NothingCountsAfterTheOrificeWasClosed) {
+  OutflowOptions options;
+  options.closed_at = 1.0;
+  const auto outflow = measure_outflow(even_flow(800, 2, 80), options);
+  EXPECT_EQ(outflow.end, OutflowEnd::closed);
+  EXPECT_NEAR(outflow.discharged, 500, 1e-9);
+  EXPECT_NEAR(outflow.from, 0.2, 1e-12);
+  EXPECT_NEAR(outflow.to, 0.7, 1e-12);
+  ASSERT_TRUE(outflow.rate);
+  EXPECT_NEAR(*outflow.rate, 500, 1e-9);
+  EXPECT_EQ(measure_outflow(even_flow(300, 2, 80), options).end, OutflowEnd::clogged);
+  options.closed_at = 1e-6;
+  EXPECT_THROW(measure_outflow(even_flow(800, 2, 80), options), DataError);
+}
+
 TEST(Outflow, FewParticlesHaveNoRate) {
   EXPECT_TRUE(measure_outflow(even_flow(101, 2, 80), {}).rate);
   EXPECT_FALSE(measure_outflow(even_flow(99, 2, 80), {}).rate);
@@ -110,14 +127,25 @@ std::vector<double> rates(const std::vector<double>& widths, double c, double k,
 
 TEST(Beverloo, ExactRatesGiveTheirConstantsAndExponent) {
   const std::vector<double> widths{4, 6, 8, 11, 11};
-  const auto fit = fit_beverloo(widths, rates(widths, 0.8, 1.3, 1.5));
+  const auto fit = fit_beverloo(widths, rates(widths, 0.8, 1.3, 1.5), 2);
   EXPECT_NEAR(fit.c, 0.8, 1e-12);
   EXPECT_NEAR(fit.k, 1.3, 1e-12);
   EXPECT_NEAR(fit.c_error, 0, 1e-6);
   EXPECT_NEAR(fit.k_error, 0, 1e-6);
   ASSERT_TRUE(fit.exponent);
   EXPECT_NEAR(*fit.exponent, 1.5, 1e-5);
-  EXPECT_NEAR(*fit_beverloo(widths, rates(widths, 0.1, 0.7, 2.5)).exponent, 2.5, 1e-5);
+}
+
+TEST(Beverloo, ExponentInSpaceIsThreeHalvesAndOne) {
+  const std::vector<double> widths{4, 5, 6, 8};
+  const auto fit = fit_beverloo(widths, rates(widths, 0.1, 0.7, 2.5), 3);
+  EXPECT_EQ(fit.law, 2.5);
+  EXPECT_NEAR(fit.c, 0.1, 1e-12);
+  EXPECT_NEAR(fit.k, 0.7, 1e-12);
+  ASSERT_TRUE(fit.exponent);
+  EXPECT_NEAR(*fit.exponent, 2.5, 1e-5);
+  // The law of the plane does not go through these rates.
+  EXPECT_GT(fit_beverloo(widths, rates(widths, 0.1, 0.7, 2.5), 2).c_error, 1e-3);
 }
 
 // Q^(2/3) = x + e (1, -2, 1) at x = 4, 5, 6: the residuals are orthogonal to every straight line,
@@ -126,7 +154,7 @@ TEST(Beverloo, ExactRatesGiveTheirConstantsAndExponent) {
 TEST(Beverloo, StandardErrorsAreThoseOfTheStraightLine) {
   const double e = 1e-3;
   const auto fit = fit_beverloo(
-      {4, 5, 6}, {std::pow(4 + e, 1.5), std::pow(5 - 2 * e, 1.5), std::pow(6 + e, 1.5)});
+      {4, 5, 6}, {std::pow(4 + e, 1.5), std::pow(5 - 2 * e, 1.5), std::pow(6 + e, 1.5)}, 2);
   EXPECT_NEAR(fit.c, 1, 1e-10);
   EXPECT_NEAR(fit.k, 0, 1e-10);
   EXPECT_NEAR(fit.c_error, 1.5 * e * std::sqrt(3.0), 1e-9);
@@ -146,7 +174,7 @@ TEST(Beverloo, ErrorOfTheExponentIsItsScatter) {
   for (int i = 0; i < sets; ++i) {
     auto noisy = exact;
     for (double& each : noisy) each *= std::exp(noise(generator));
-    const auto fit = fit_beverloo(widths, noisy);
+    const auto fit = fit_beverloo(widths, noisy, 2);
     sum += *fit.exponent;
     squares += *fit.exponent * *fit.exponent;
     variances += *fit.exponent_error * *fit.exponent_error;
@@ -156,20 +184,21 @@ TEST(Beverloo, ErrorOfTheExponentIsItsScatter) {
 }
 
 TEST(Beverloo, RefusesFewWidthsAndFallingRates) {
-  EXPECT_THROW(fit_beverloo({4, 5, 5}, {1, 2, 2}), TooFewParticles);
-  EXPECT_THROW(fit_beverloo({4, 5, 6}, {3, 2, 1}), TooFewParticles);
+  EXPECT_THROW(fit_beverloo({4, 5, 5}, {1, 2, 2}, 2), TooFewParticles);
+  EXPECT_THROW(fit_beverloo({4, 5, 6}, {3, 2, 1}, 2), TooFewParticles);
 }
 
-// Three runs of exact rates through the command: the numbers, the table and the figures.
-TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
-  const auto folder = fresh_folder();
+// Runs of exact rates in `folder`, by the law C (D/d_p - 1.2)^exponent; `more`: of their
+// parameters.
+std::string write_runs(const std::filesystem::path& folder, double c, double exponent,
+                       const std::string& more) {
   std::string runs;
   for (const int width : {5, 7, 9, 12}) {
     const auto run = folder / std::to_string(width);
     std::filesystem::create_directory(run);
-    put(run / "parameters.json", "{\"orifice_width_m\": " + std::to_string(width * 1e-3) +
+    put(run / "parameters.json", "{\"orifice_width_m\": " + std::to_string(width * 1e-3) + more +
                                      ", \"particle_diameter_m\": 1e-3, \"gravity_m_s2\": 10}");
-    const double rate = 0.9 * std::pow(width - 1.2, 1.5) / std::sqrt(1e-4);
+    const double rate = c * std::pow(width - 1.2, exponent) / std::sqrt(1e-4);
     std::string rows = "since_opening_s,inside,discharged,throat\n";
     for (int i = -1; i <= 200; ++i) {
       const double out = std::max(0.0, rate * i * 0.01);
@@ -179,9 +208,16 @@ TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
     put(run / "discharge.csv", rows);
     runs += ' ' + std::to_string(width);
   }
+  return runs;
+}
+
+// Four runs of exact rates through the command: the numbers, the table and the figures.
+TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
+  const auto folder = fresh_folder();
+  const auto runs = write_runs(folder, 0.9, 1.5, "");
   const auto said = test::run_rodpack("discharge" + runs, folder);
   EXPECT_EQ(said.exit_code, 0);
-  EXPECT_THAT(said.output, HasSubstr("C = 0.9 +- "));
+  EXPECT_THAT(said.output, HasSubstr("(D/d_p - k)^(3/2): C = 0.9 +- "));
   EXPECT_THAT(said.output, HasSubstr("k = 1.2 +- "));
   EXPECT_THAT(said.output, HasSubstr("exponent 1.5 +- "));
   for (const char* file : {"outflow.csv", "outflow.png", "outflow.svg"})
@@ -190,6 +226,22 @@ TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
   EXPECT_EQ(one.exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "one.png"));
   EXPECT_EQ(test::run_rodpack("discharge 5 --from 0.7 --to 0.2", folder).exit_code, 2);
+}
+
+// A scene in space says so by its vertical axis; the two laws do not mix.
+TEST(DischargeCommand, TakesTheLawOfSpaceForASceneInSpace) {
+  const auto folder = fresh_folder();
+  const auto runs = write_runs(folder, 0.1, 2.5, ", \"vertical_axis\": \"z\"");
+  const auto said = test::run_rodpack("discharge" + runs, folder);
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.output, HasSubstr("(D/d_p - k)^(5/2): C = 0.1 +- "));
+  EXPECT_THAT(said.output, HasSubstr("k = 1.2 +- "));
+  EXPECT_THAT(said.output, HasSubstr("exponent 2.5 +- "));
+  put(folder / "5" / "parameters.json",
+      "{\"orifice_width_m\": 5e-3, \"particle_diameter_m\": 1e-3, \"gravity_m_s2\": 10}");
+  const auto mixed = test::run_rodpack("discharge" + runs, folder);
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_THAT(mixed.output, HasSubstr("7: expected a scene in a plane as that of 5"));
 }
 
 }  // namespace

@@ -33,6 +33,19 @@ std::vector<std::string> command_line() {
   return words;
 }
 
+/// Folder of the deck that the command line names, with a slash at its end, or empty for the one
+/// that the program was started in; no value where the command line names none.
+bool folder_of_deck(std::string& folder) {
+  const std::vector<std::string> words = command_line();
+  for (std::size_t k = 1; k + 1 < words.size(); ++k) {
+    if (words[k] != "-in" && words[k] != "-i") continue;
+    const std::size_t slash = words[k + 1].rfind('/');
+    folder = slash == std::string::npos ? "" : words[k + 1].substr(0, slash + 1);
+    return true;
+  }
+  return false;
+}
+
 /// Version and commit of this rodpack, as a JSON object.
 std::string json_of_rodpack() {
   return "{\"version\": " + json_string(rodpack::version()) +
@@ -53,8 +66,37 @@ void Parameter::command(int narg, char** arg) {
     clear();
   else if (narg == 1 && words[0] == "version")
     set_variable("rodpack", "string", json_of_rodpack());
+  else if (narg == 1 && words[0] == "folder")
+    set_folder();
+  else if (narg == 2 && words[0] == "include")
+    include(words[1]);
   else
     declare(narg, arg);
+}
+
+/// The folder of the deck, for names of files beside it.
+void Parameter::set_folder() const {
+  std::string folder;
+  if (!folder_of_deck(folder))
+    stop_run(lmp, "parameter folder: expected the deck on the command line, as -in FILE");
+  if (folder.empty()) folder = "./";
+  if (!is_plain_path(folder))
+    stop_run(lmp, "parameter folder: the deck is in '" + folder + "', expected " + a_plain_path);
+  set_variable("deck_folder", "string", folder);
+}
+
+/// Reads a file beside the deck, wherever the program was started: 'include' looks from there.
+void Parameter::include(const std::string& file) const {
+  std::string name;
+  if (!folder_of_deck(name))
+    stop_run(lmp,
+             "parameter include " + file + ": expected the deck on the command line, as -in FILE");
+  name += file;
+  const bool missing = comm->me == 0 && !std::ifstream(name);
+  stop_run_by_rank_0(lmp,
+                     missing ? "parameter include " + file + ": cannot read '" + name + "'" : "");
+  // Quotes keep the blanks of a path together.
+  input->one(("include \"" + name + "\"").c_str());
 }
 
 void Parameter::declare(int narg, char** arg) {

@@ -29,6 +29,8 @@ class Parameter : protected Pointers {
   };
 
   void declare(int narg, char** arg);
+  void set_folder() const;
+  void include(const std::string& file) const;
   void declare_choice(const Declaration& it, class StyleArguments& arguments);
   static void clear();
   void declare_number(Declaration& it, class StyleArguments& arguments);

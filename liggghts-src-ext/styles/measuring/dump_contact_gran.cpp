@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "dump_contact_gran.h"
 
+#include <utility>
 #include "atom.h"
 #include "particle_identity.h"
-#include "style_arguments.h"
 #include "vector_liggghts.h"
 
 namespace LAMMPS_NS {
 
+namespace {
+
+/// The contact as its other sphere sees it.
+ContactRecord turned(ContactRecord contact) {
+  std::swap(contact.i, contact.j);
+  vectorNegate3D(contact.normal);
+  vectorNegate3D(contact.force);
+  return contact;
+}
+
+}  // namespace
+
 DumpContactGran::DumpContactGran(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg), recorder_(lmp, std::string("dump ") + style) {
-  StyleArguments(lmp, narg, arg, 5, "Dump").require_group_all("lists all contacts");
   set_columns("ENTRIES", rodpack::contact_dump::columns);
 }
 
@@ -22,9 +33,15 @@ void DumpContactGran::init_style() {
 void DumpContactGran::list_rows() {
   const ParticleIdentity particles(lmp);
   const std::vector<rodpack::Vector> centres = particles.all_body_centres();
+  const auto listed = [this](int sphere) {
+    return sphere >= 0 && (atom->mask[sphere] & groupbit) != 0;
+  };
 
-  for (const ContactRecord& contact : recorder_.collect()) {
-    if (!contact.primary) continue;
+  for (ContactRecord contact : recorder_.collect()) {
+    if (!contact.primary || (!listed(contact.i) && !listed(contact.j))) continue;
+    if (!listed(contact.i)) contact = turned(contact);
+    // What is not in the group is a wall to those that are.
+    if (!listed(contact.j)) contact.j = -1;
     const bool wall = contact.j < 0;
     const rodpack::SphereContact ends = contact_of(contact, particles, centres);
 

@@ -8,6 +8,7 @@
 #include "body_frames.h"
 #include "domain.h"
 #include "fix_multisphere.h"
+#include "gather.h"
 #include "math_const.h"
 #include "particle_identity.h"
 #include "sort_buffer.h"
@@ -34,11 +35,13 @@ double planar_angle(const std::array<double, 3>& axis) {
 
 DumpMultisphereBody::DumpMultisphereBody(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg) {
-  const StyleArguments arguments(lmp, narg, arg, 5, "Dump");
-  arguments.require_group_all("lists whole bodies");
-  if (!atom->sphere_flag) arguments.fail("requires atom style sphere");
+  if (!atom->sphere_flag)
+    StyleArguments(lmp, narg, arg, 5, "Dump").fail("requires atom style sphere");
   set_columns("ATOMS", rodpack::body_dump::columns);
+  // By the first column rather than by id: that takes the rows for atoms where their number is right.
   sortBuffer = new SortBuffer(lmp, true);
+  const char* const by_id[] = {"sort", "1"};
+  sortBuffer->modify_param(2, by_id);
 }
 
 void DumpMultisphereBody::list_rows() {
@@ -47,13 +50,26 @@ void DumpMultisphereBody::list_rows() {
   list_plain_spheres(particles);
 }
 
+/// Ids of the bodies with spheres in the group, on all ranks: a body and its spheres may have
+/// different ones; collective.
+std::set<int> DumpMultisphereBody::bodies_of_group(const ParticleIdentity& particles) const {
+  std::vector<int> own;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) own.push_back(particles.body_of(i));
+  const std::vector<int> all = gather_on_all(world, own);
+  return {all.begin(), all.end()};
+}
+
 void DumpMultisphereBody::list_bodies(const ParticleIdentity& particles) {
-  if (!particles.bodies() || particles.bodies()->n_body() == 0) return;
+  if (!particles.bodies()) return;
+  const std::set<int> listed = bodies_of_group(particles);
+  if (particles.bodies()->n_body() == 0) return;
   Multisphere& data = particles.bodies()->data();
   const std::vector<BodyChain> chains = body_chains(lmp, particles);
   const std::vector<BodyFrame> frames = body_frames(lmp, particles);
   auto& type = *data.prop().getElementProperty<ScalarContainer<int>>("clumptype");
   for (int k = 0; k < data.n_body(); ++k) {
+    if (listed.count(data.tag(k)) == 0) continue;
     rodpack::body_dump::BodyRow row;
     row.id = data.tag(k);
     row.type = type(k);
@@ -75,7 +91,7 @@ void DumpMultisphereBody::list_bodies(const ParticleIdentity& particles) {
 
 void DumpMultisphereBody::list_plain_spheres(const ParticleIdentity& particles) {
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (particles.body_of(i) >= 0) continue;
+    if (particles.body_of(i) >= 0 || !(atom->mask[i] & groupbit)) continue;
     const double radius = atom->radius[i];
     rodpack::body_dump::BodyRow row = {};
     row.id = particles.id_of(i);

@@ -7,6 +7,8 @@ DumpStyle(multisphere/body,DumpMultisphereBody)
 #ifndef LMP_DUMP_MULTISPHERE_BODY_H
 #define LMP_DUMP_MULTISPHERE_BODY_H
 
+#include <set>
+
 #include "table_dump.h"
 
 namespace LAMMPS_NS {
@@ -21,6 +23,7 @@ class DumpMultisphereBody : public TableDump {
   void list_rows();
 
  private:
+  std::set<int> bodies_of_group(const class ParticleIdentity& particles) const;
   void list_bodies(const class ParticleIdentity& particles);
   void list_plain_spheres(const class ParticleIdentity& particles);
 };

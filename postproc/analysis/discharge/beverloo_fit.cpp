@@ -67,21 +67,24 @@ void fit_exponent(const std::vector<double>& width, const std::vector<double>& r
 
 }  // namespace
 
-BeverlooFit fit_beverloo(const std::vector<double>& width, const std::vector<double>& rate) {
+BeverlooFit fit_beverloo(const std::vector<double>& width, const std::vector<double>& rate,
+                         int dimension) {
+  const double law = beverloo_exponent(dimension);
   const std::set<double> widths(width.begin(), width.end());
   if (widths.size() < 3)
     throw TooFewParticles("Beverloo's law: " + std::to_string(widths.size()) +
                           " widths with a steady flow, expected at least 3");
   std::vector<double> root;
-  for (const double each : rate) root.push_back(std::cbrt(each * each));
+  for (const double each : rate) root.push_back(std::pow(each, 1 / law));
   const Line line = fit_line(width, root);
   if (!(line.b > 0))
     throw TooFewParticles("Beverloo's law: expected rates that rise with the width of the orifice");
   const auto n = static_cast<double>(width.size());
   const double variance = line.residual / (n - 2);
   BeverlooFit fit;
-  fit.c = std::pow(line.b, 1.5);
-  fit.c_error = 1.5 * std::sqrt(line.b) * std::sqrt(variance / line.sxx);
+  fit.law = law;
+  fit.c = std::pow(line.b, law);
+  fit.c_error = law * std::pow(line.b, law - 1) * std::sqrt(variance / line.sxx);
   // The line's zero k = mean x - mean y / b, whose two parts have independent errors.
   fit.k = -line.a / line.b;
   const double arm = line.mean_x - fit.k;

@@ -51,6 +51,16 @@ void measure_rate(const OutflowHistory& history, Outflow& outflow) {
   outflow.rate_error = std::sqrt(squares / (intervals * (intervals - 1)));
 }
 
+// Takes away what was counted after that time.
+void cut_at(double time, OutflowHistory& history) {
+  const auto kept = std::upper_bound(history.time.begin(), history.time.end(), time);
+  const auto rows = static_cast<std::size_t>(kept - history.time.begin());
+  for (auto* column : {&history.time, &history.inside, &history.discharged, &history.throat})
+    column->resize(rows);
+  if (rows == 0 || history.time.back() <= 0)
+    throw DataError("discharge: no row between the opening of the orifice and its closing");
+}
+
 }  // namespace
 
 OutflowHistory read_outflow(const std::string& discharge_csv) {
@@ -79,7 +89,8 @@ OutflowHistory read_outflow(const std::string& discharge_csv) {
   return history;
 }
 
-Outflow measure_outflow(const OutflowHistory& history, const OutflowOptions& options) {
+Outflow measure_outflow(OutflowHistory history, const OutflowOptions& options) {
+  if (options.closed_at) cut_at(*options.closed_at, history);
   const auto opened =
       std::upper_bound(history.time.begin(), history.time.end(), 0.0) - history.time.begin();
   if (opened == 0) throw DataError("discharge: no row before the opening of the orifice");
@@ -98,6 +109,8 @@ Outflow measure_outflow(const OutflowHistory& history, const OutflowOptions& opt
     outflow.end = OutflowEnd::drained;
   else if (history.time.back() - outflow.last >= options.stopped_after)
     outflow.end = OutflowEnd::clogged;
+  else if (options.closed_at)
+    outflow.end = OutflowEnd::closed;
   return outflow;
 }
 
@@ -107,6 +120,8 @@ std::string describe(OutflowEnd end) {
       return "clogged";
     case OutflowEnd::drained:
       return "drained";
+    case OutflowEnd::closed:
+      return "closed";
     default:
       return "flowing";
   }

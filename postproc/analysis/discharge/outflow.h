@@ -22,12 +22,14 @@ struct OutflowHistory {
 OutflowHistory read_outflow(const std::string& discharge_csv);
 
 /// How a discharge ended.
-enum class OutflowEnd { flowing, clogged, drained };
+enum class OutflowEnd { flowing, clogged, drained, closed };
 
 struct OutflowOptions {
   // The steady part of the flow: from this share of all that comes through to that one.
   double from = 0.2, to = 0.7;
   double stopped_after = 0.2;  // without outflow for so long, s, it has stopped
+  // When the orifice was closed, s after its opening: nothing later counts.
+  std::optional<double> closed_at = {};
 };
 
 /// The steady flow through an orifice.
@@ -45,11 +47,12 @@ struct Outflow {
 /// 50 particles come through in that time, or it has fewer than 20 rows.
 /// With less than a quarter of what was in the throat at the opening there the silo has drained, to
 /// the wedges beside the orifice of which single particles may still come. With more it has clogged
-/// if nothing came through during the last `stopped_after` seconds, else it is flowing.
+/// if nothing came through during the last `stopped_after` seconds, else it is flowing, or has been
+/// closed.
 /// @throws DataError when nothing has been counted before the opening.
-Outflow measure_outflow(const OutflowHistory& history, const OutflowOptions& options);
+Outflow measure_outflow(OutflowHistory history, const OutflowOptions& options);
 
-/// Says "flowing", "clogged" or "drained".
+/// Says "flowing", "clogged", "drained" or "closed".
 std::string describe(OutflowEnd end);
 
 }  // namespace rodpack

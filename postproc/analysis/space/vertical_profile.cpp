@@ -20,13 +20,6 @@ double cross_section(const SpatialWalls& walls) {
   return (walls.high[first] - walls.low[first]) * (walls.high[second] - walls.low[second]);
 }
 
-// Mean of the Gaussian along a branch that begins `from` below the place and rises by `rise`.
-double mean_along(double from, double rise, double scale) {
-  // The midpoint serves a level branch, to 1e-13 of the Gaussian.
-  if (std::abs(rise) < 1e-6 * scale) return gaussian(from - rise / 2, scale);
-  return gaussian_integral(from - rise, from, scale) / rise;
-}
-
 // All but the depths, for what is done to every one of them.
 std::array<std::vector<double>*, 7> columns_of(VerticalProfile& profile) {
   return {&profile.solid_fraction, &profile.density,  &profile.vertical,  &profile.horizontal[0],
@@ -77,7 +70,7 @@ void VerticalProfileSample::add(const SpatialPacking& packing, const Frame& bodi
     }
     for (const auto& each : interactions) {
       const double from = z - each.from[up], rise = each.branch[up];
-      const double weight = mean_along(from, rise, w) / area;
+      const double weight = gaussian_along(from, rise, w) / area;
       sums_.vertical[k] -= each.force[up] * rise * weight;
       sums_.horizontal[0][k] -= each.force[first] * each.branch[first] * weight;
       sums_.horizontal[1][k] -= each.force[second] * each.branch[second] * weight;

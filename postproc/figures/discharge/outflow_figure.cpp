@@ -34,8 +34,9 @@ void plot_beverloo(const std::vector<double>& width, const std::vector<double>& 
   };
   if (fit)
     add("(x > " + number_text(fit->k) + " ? " + number_text(fit->c) + "*(x-(" +
-        number_text(fit->k) + "))**1.5 : NaN) with lines linewidth 1.4 linecolor '" +
-        colour::vermilion + "' title 'Beverloo, exponent 3/2'");
+        number_text(fit->k) + "))**" + number_text(fit->law) +
+        " : NaN) with lines linewidth 1.4 linecolor '" + colour::vermilion +
+        "' title 'Beverloo, exponent " + number_text(2 * fit->law) + "/2'");
   if (!width.empty()) {
     blocks += datablock("q", {width, rate, rate_error});
     add("$q using 1:2:3 with yerrorbars pointtype 7 pointsize 1.2 linewidth 1.4 linecolor '" +

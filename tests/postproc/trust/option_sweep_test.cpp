@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr const char* subcommands[] = {"analyse",  "report",   "orientation", "rdf",
                                        "forces",   "render",   "stress",      "solid-fraction",
                                        "profile",  "export",   "ensemble",    "compare",
-                                       "accuracy", "timestep", "discharge"};
+                                       "accuracy", "timestep", "discharge",   "incline"};
 
 struct Answer {
   int exit_code;

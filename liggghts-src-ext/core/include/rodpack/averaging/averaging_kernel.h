@@ -71,6 +71,14 @@ inline double gaussian_integral(double from, double to, double scale) {
   return 0.5 * (std::erf(to / root) - std::erf(from / root));
 }
 
+/// Mean of gaussian() along a branch that begins `from` below the place and rises by `rise`, m;
+/// 1/m.
+inline double gaussian_along(double from, double rise, double scale) {
+  // The midpoint serves a level branch, to 1e-13 of the Gaussian.
+  if (std::abs(rise) < 1e-6 * scale) return gaussian(from - rise / 2, scale);
+  return gaussian_integral(from - rise, from, scale) / rise;
+}
+
 }  // namespace rodpack
 
 #endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Dumps of a group: its particles alone, to which all others are walls.
+#include <gtest/gtest.h>
+
+#include "deck.h"
+#include "liggghts_run.h"
+
+using namespace rodpack::test;
+
+namespace {
+
+// Three balls in a row along x that overlap by 1e-5 m, the first and the third held by nothing, and
+// a fourth by itself.
+const std::string four_balls =
+    "create_atoms 1 single 0.01 0.05 0 units box\n"
+    "create_atoms 1 single 0.01299 0.05 0 units box\n"
+    "create_atoms 1 single 0.01598 0.05 0 units box\n"
+    "create_atoms 1 single 0.05 0.05 0 units box\n"
+    "set group all diameter 0.003 density 2500\n"
+    "group middle id 2\ngroup last id 3:4\n"
+    "fix motion all nve/sphere\n"
+    "run 0\n"
+    "write_dump all    contact/gran all.dump modify format %.17g\n"
+    "write_dump middle contact/gran middle.dump modify sort off format %.17g\n"
+    "write_dump last   contact/gran last.dump modify format %.17g\n"
+    "write_dump last   multisphere/body bodies.dump modify format %.17g\n";
+
+}  // namespace
+
+// k_n 1000 N/m in the pair: 0.01 N, at the middle of the overlap.
+TEST(DumpOfAGroup, WhatIsNotInItIsAWallOnOneAndTwoRanks) {
+  for (const int ranks : {1, 2}) {
+    const auto run = run_liggghts(Deck().processors("* 1 1").with(four_balls), {}, ranks);
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(read_dump(run.folder / "all.dump").rows(), 2U);
+
+    const Table middle = read_dump(run.folder / "middle.dump");
+    ASSERT_EQ(middle.rows(), 2U);
+    for (std::size_t c = 0; c < 2; ++c) {
+      EXPECT_EQ(middle.column("sphere_i")[c], 2);
+      EXPECT_EQ(middle.column("body_j")[c], 0);
+      EXPECT_EQ(middle.column("wall")[c], 1);
+      // Away from the neighbour, which is where the contact is.
+      const bool left = middle.column("x")[c] < 0.01299;
+      EXPECT_NEAR(middle.column("fx")[c], left ? 0.01 : -0.01, 1e-9);
+      EXPECT_NEAR(middle.column("nx")[c], left ? 1 : -1, 1e-12);
+      EXPECT_NEAR(middle.column("x")[c], left ? 0.011495 : 0.014485, 1e-12);
+      EXPECT_NEAR(middle.column("bix")[c], 0.01299, 1e-12);
+      EXPECT_EQ(middle.column("bjx")[c], middle.column("x")[c]);
+    }
+
+    const Table last = read_dump(run.folder / "last.dump");
+    ASSERT_EQ(last.rows(), 1U);
+    EXPECT_EQ(last.column("sphere_i")[0], 3);
+    EXPECT_EQ(last.column("wall")[0], 1);
+    EXPECT_NEAR(last.column("fx")[0], 0.01, 1e-9);
+    const Table bodies = read_dump(run.folder / "bodies.dump");
+    ASSERT_EQ(bodies.rows(), 2U);
+    EXPECT_NEAR(bodies.column("x")[0], 0.01598, 1e-12);
+    EXPECT_NEAR(bodies.column("x")[1], 0.05, 1e-12);
+  }
+}

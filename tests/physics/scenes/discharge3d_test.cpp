@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The deck inputs/discharge3d/in.discharge3d on a small scale.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "liggghts_run.h"
+
+using namespace rodpack::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Vars = std::map<std::string, std::string>;
+
+const std::string silo = "discharge3d/in.discharge3d";
+constexpr double diameter = 3e-3, silo_width = 0.024;
+
+/// 100 spheres in a cylinder of 8 d_p, an orifice of 5 d_p: some seconds.
+Vars small_silo(const Vars& changes = {}) {
+  Vars vars = {{"particles", "100"},         {"container_width", "0.024"},
+               {"orifice_width", "0.015"},   {"settle_time", "0.05"},
+               {"flow_limit", "0.15"},       {"output_interval", "0.05"},
+               {"restart_interval", "0.03"}, {"out", "run"}};
+  for (const auto& [name, value] : changes) vars[name] = value;
+  return vars;
+}
+
+nlohmann::json result_of_silo(const fs::path& run) {
+  return nlohmann::json::parse(text_of(run / "result.json"));
+}
+
+fs::path silo_dump(const fs::path& run, const std::string& kind) {
+  const auto step = result_of_silo(run).at("step").get<long>();
+  return run / "dumps" / (kind + "." + std::to_string(step) + ".dump");
+}
+
+/// The lid holds all until it is taken away; what is counted is all there is, and at the end the
+/// count is that of the spheres below the bottom by d_p. Nothing is outside of the cylinder.
+void expect_counted(const fs::path& run, double particles, double spheres_each) {
+  const auto result = result_of_silo(run);
+  const Table counts = read_table(run / "discharge.csv");
+  double before = -1;
+  for (std::size_t i = 0; i < counts.rows(); ++i) {
+    EXPECT_NEAR(counts.column("inside")[i] + counts.column("discharged")[i], particles, 1e-9);
+    EXPECT_LE(before, counts.column("discharged")[i]);
+    before = counts.column("discharged")[i];
+    if (counts.column("since_opening_s")[i] <= 0) {
+      EXPECT_EQ(before, 0);
+    }
+  }
+  const Table spheres = read_dump(silo_dump(run, "spheres"));
+  ASSERT_EQ(spheres.rows(), particles * spheres_each);
+  double below = 0;
+  for (std::size_t s = 0; s < spheres.rows(); ++s) {
+    below += spheres.column("z")[s] < -diameter;
+    const double r = std::hypot(spheres.column("x")[s] - silo_width / 2,
+                                spheres.column("y")[s] - silo_width / 2);
+    EXPECT_LT(r + spheres.column("radius")[s], silo_width / 2 + 0.1 * diameter);
+  }
+  EXPECT_NEAR(result.at("discharged").get<double>(), below / spheres_each, 1e-9);
+  EXPECT_GT(below, spheres.rows() / 3.0);
+}
+
+}  // namespace
+
+TEST(DischargeInSpace, CountsEverySphereOnOneTwoAndFourRanks) {
+  for (const int ranks : {1, 2, 4}) {
+    SCOPED_TRACE(ranks);
+    const auto run = run_liggghts(silo, small_silo(), ranks);
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    expect_counted(run.folder / "run", 100, 1);
+  }
+}
+
+TEST(DischargeInSpace, CountsRods) {
+  const auto run = run_liggghts(
+      silo, small_silo({{"aspect_ratio", "2"}, {"surface", "coarse"}, {"particles", "50"}}));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  expect_counted(run.folder / "run", 50, 2);
+}
+
+// From a restart file of before and of after the opening the run ends with the same bits: meshes,
+// their contacts and the lid that is no longer there go on.
+TEST(DischargeInSpace, ResumesExactlyOnOneAndTwoRanks) {
+  for (const int ranks : {1, 2}) {
+    SCOPED_TRACE(ranks);
+    const auto whole = run_liggghts(silo, small_silo(), ranks);
+    ASSERT_EQ(whole.exit_code, 0) << whole.output;
+    const fs::path run = whole.folder / "run";
+    const std::string bodies = text_of(silo_dump(run, "bodies"));
+    const std::string counts = text_of(run / "discharge.csv"),
+                      result = text_of(run / "result.json");
+    const double opened = result_of_silo(run).at("opened_at_s");
+    const long every = std::lround(std::ceil(0.03 / 1.1e-5));
+    const auto before = static_cast<long>(opened / 1.1e-5) / every;
+    for (const long file : {before + 2, before}) {
+      const auto restart = "run/restart/discharge3d." + std::to_string(file * every) + ".restart";
+      ASSERT_TRUE(fs::exists(whole.folder / restart)) << restart;
+      const auto resumed =
+          run_liggghts_in(whole.folder, silo, small_silo({{"resume", restart}}), ranks);
+      ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
+      EXPECT_EQ(text_of(run / "result.json"), result);
+      EXPECT_EQ(text_of(run / "discharge.csv"), counts);
+      EXPECT_EQ(text_of(silo_dump(run, "bodies")), bodies);
+    }
+  }
+}
+
+TEST(DischargeInSpace, RefusesWrongParameters) {
+  const std::pair<Vars, std::string> wrong[] = {
+      {{{"orifice_width", "-0.01"}}, "parameter 'orifice_width': expected above 0, got -0.01"},
+      {{{"orifice_width", "0.004"}}, "parameter orifice_width: expected from 0.0048 m"},
+      {{{"orifice_width", "0.019"}},
+       "container_width less 2 particle_diameter, 0.018 m, got 0.019"},
+      {{{"aspect_ratio", "4"}, {"orifice_width", "0.011"}}, "expected from 0.012 m"},
+      {{{"seed", "41"}}, "parameter 'seed': expected maximum 40, got 41"},
+      {{{"engine", "planar"}}, "unknown deck parameter 'engine'"},
+      {{{"container_height", "0.01"}}, "with room for all 100 particles"}};
+  for (const auto& [vars, message] : wrong) {
+    const auto run = run_liggghts(silo, small_silo(vars));
+    EXPECT_NE(run.exit_code, 0) << message;
+    EXPECT_THAT(run.output, testing::HasSubstr(message));
+    EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
+  }
+}
