@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Brings one deposition to its end: starts it, goes on with it, or leaves it alone when it is complete.
+# Brings one run to its end: starts it, goes on with it, or leaves it alone when it is complete.
 #
 #   inputs/deposition/run_one.sh RUN_FOLDER -var NAME VALUE ...
 #
 # -var …      handed to the deck; "out" and "resume" are set here
+# DECK=…      a deck with a run folder, default in.deposition beside this script
 # RANKS=n     MPI ranks, default 1
 # LIGGGHTS=…  program, default build/bin/liggghts
 # ASIDE=…     where a run goes that was interrupted before its first restart file, default: beside it
@@ -27,8 +28,10 @@ esac
 case ${RANKS:-1} in
   *[!0-9]* | 0*) refuse "RANKS is '$RANKS', expected a number of MPI ranks, 1 or more" ;;
 esac
+deck=${DECK:-$here/in.deposition}
+{ [ -f "$deck" ] && [ -r "$deck" ]; } || refuse "DECK is '$deck', expected a deck that can be read"
 
-# The bed is at rest; an empty file is one that was being written.
+# The run has come to its end; an empty file is one that was being written.
 is_complete() {
   [ -s "$out/result.json" ] && [ "$(tail -c 2 "$out/result.json")" = '}' ]
 }
@@ -75,7 +78,7 @@ if [ "${RANKS:-1}" -gt 1 ]; then
 fi
 # The deck opens the run's log; before that there is none, which runs side by side would share.
 $launcher "${LIGGGHTS:-$here/../../build/bin/liggghts}" -log none \
-  -in "$here/in.deposition" -var out "$out" "$@"
+  -in "$deck" -var out "$out" "$@"
 # LIGGGHTS ends well, too, when the deck has said an error and quit.
 if ! is_complete; then
   echo "$out is not complete: the same command goes on from its last restart file" >&2

@@ -36,7 +36,7 @@ def last_whole(folder):
     files = {}
     restart = os.path.join(folder, "restart")
     for name in os.listdir(restart) if os.path.isdir(restart) else []:
-        match = re.fullmatch(r"deposition\.(\d+)\.restart", name)
+        match = re.fullmatch(r"\w+\.(\d+)\.restart", name)
         if match:
             files[int(match[1])] = os.path.join(restart, name)
     return next((files[step] for step in sorted(files, reverse=True) if is_whole(files[step])), None)

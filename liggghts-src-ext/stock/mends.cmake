@@ -151,6 +151,10 @@ function(mend_contact_ends folder)
 " "    if(deltan <= 0 || deltan < contactDistanceMultiplier*radius[iPart] ||
        rodpack::wants_end(c_history ? c_history[iPart] : NULL,dnum_))
 ")
+  mend(${folder} fix_wall_gran.cpp
+    "if(deltan <= 0 || (radius && deltan < contactDistanceMultiplier*radius[iPart]))"
+    "if(deltan <= 0 || (radius && deltan < contactDistanceMultiplier*radius[iPart]) ||
+               rodpack::wants_end(fix_contact,iPart,idTri))")
 endfunction()
 
 # Whoever lists contacts is told of them, with the forces of the step.
@@ -194,6 +198,21 @@ function(mend_contact_reports folder)
   endforeach()
 endfunction()
 
+# The liquid bridge of a sphere and a wall: the wall was taken for a particle of a negative number, or of
+# that of the triangle, whose velocity was read: a crash, or another particle's.
+function(mend_bridges_at_walls folder)
+  foreach(component 0 1 2)
+    mend(${folder} cohesion_model_easo_capillary_viscous.h
+      "v[i][${component}] - v[j][${component}]" "scdata.v_i[${component}] - scdata.v_j[${component}]")
+  endforeach()
+  mend(${folder} cohesion_model_easo_capillary_viscous.h
+    "          double **v = atom->v;
+" "")
+  mend(${folder} cohesion_model_easo_capillary_viscous.h
+    "double const *omega_j = atom->omega[j];"
+    "double const *omega_j = scdata.is_wall ? NULL : atom->omega[j];")
+endfunction()
+
 # The inertia tensor of a template of spheres: I_zy was averaged with I_zx.
 function(mend_inertia folder)
   mend(${folder} fix_template_multisphere.cpp "moi_[2][1] = (moi_[2][1]+moi_[2][0])/2.;"
@@ -207,5 +226,6 @@ function(mend_stock folder)
   mend_restarts(${folder})
   mend_contact_ends(${folder})
   mend_contact_reports(${folder})
+  mend_bridges_at_walls(${folder})
   mend_inertia(${folder})
 endfunction()

@@ -71,7 +71,7 @@ bool is_in_space(const Frame& bodies, const PackingOptions& options, const Space
 /// options, else `container` ("box" or "cylinder", from 0 to container_width_m, floor at 0) of
 /// parameters.json, else the box bounds of the dump; d_p and AR as in particle_sizes().
 /// @throws DataError when the vertical is unknown, a column is missing, the frame is empty, the
-///   container has no room for a particle, or as particle_sizes().
+///   container has no room for a particle, or as particle_sizes() and require_inside_walls().
 SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& options,
                                     const SpaceOptions& space);
 
