@@ -107,6 +107,27 @@ function(mend_writing folder)
   mend(${folder} dump.cpp "char gzip[128];" "char gzip[strlen(filecurrent) + 16];")
 endfunction()
 
+# A number of a command is its whole word, and in range; words that are none are named.
+function(mend_numbers folder)
+  foreach(source force run update)
+    include_in(${folder} ${source}.cpp stock_numbers.h)
+  endforeach()
+  mend(${folder} force.cpp
+    "error->all(file, line, \"Expected floating point parameter in input script or data file\");"
+    "rodpack::refuse_number(error,file,line,\"a number\",str);")
+  mend(${folder} force.cpp
+    "error->all(file, line, \"Expected integer parameter in input script or data file\");"
+    "rodpack::refuse_number(error,file,line,\"an integer\",str);")
+  mend(${folder} force.cpp "atof(dstr)" "rodpack::whole_word_number(error,file,line,dstr)")
+  mend(${folder} force.cpp "atoi(istr)" "rodpack::whole_word_integer(error,file,line,istr)")
+  foreach(word 0 iarg+1)
+    mend(${folder} run.cpp "ATOBIGINT(arg[${word}])"
+      "rodpack::whole_word_steps(error,FLERR,arg[${word}])")
+  endforeach()
+  mend(${folder} update.cpp "bigint newstep = ATOBIGINT(arg[0])"
+    "bigint newstep = rodpack::whole_word_steps(error,FLERR,arg[0])")
+endfunction()
+
 # Restart files are whole, or refused. Their reader believed everything.
 function(mend_restarts folder)
   include_in(${folder} write_restart.cpp restart_seal.h)
@@ -223,6 +244,7 @@ function(mend_stock folder)
   mend_for_compilers(${folder})
   mend_messages(${folder})
   mend_writing(${folder})
+  mend_numbers(${folder})
   mend_restarts(${folder})
   mend_contact_ends(${folder})
   mend_contact_reports(${folder})

@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 build=${FUZZ_BUILD:-$here/../../build-fuzz}
 seconds=${1:-300}
 [ $# -gt 0 ] && shift
-[ $# -gt 0 ] || set -- chain dump gz json table
+[ $# -gt 0 ] || set -- chain dump gz json options table
 case $seconds in *[!0-9]* | '') sed -n 's/^# \(Usage: .*\)/\1/p' "$0" >&2 && exit 2 ;; esac
 
 if [ ! -f "$build/build.ninja" ]; then
