@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "reading/angles.h"
+#include "reading/checks/contacts_of_bodies.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
@@ -175,6 +176,7 @@ void add_frame(CoarseGraining& averages, const Frame& bodies, const Frame* conta
           throw DataError(where(*contacts) + ": particle " + std::to_string(body) +
                           " of a contact is not in " + bodies.file);
     require_near(*contacts, read, bodies);
+    require_contacts_of_bodies(*contacts, bodies);
     pairs = sum_pairs(read);
   }
   for (const auto& interaction : pairs.interactions) averages.add(interaction);
