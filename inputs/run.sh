@@ -79,7 +79,7 @@ else
   case $scene in
     quick | paper) set -- -var preset "$scene" "$@" ;;
   esac
-  SCENE=$deck RANKS=$ranks inputs/deposition/run_one.sh "$out" "$@"
+  DECK=inputs/$deck/in.$deck RANKS=$ranks inputs/deposition/run_one.sh "$out" "$@"
   printf '%s\n' "$arguments" > "$out/arguments"
 fi
 

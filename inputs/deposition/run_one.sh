@@ -5,7 +5,7 @@
 #   inputs/deposition/run_one.sh RUN_FOLDER -var NAME VALUE ...
 #
 # -var …      handed to the deck; "out" and "resume" are set here
-# SCENE=…     deck: inputs/SCENE/in.SCENE, default deposition
+# DECK=…      a deck with a run folder, default in.deposition beside this script
 # RANKS=n     MPI ranks, default 1
 # LIGGGHTS=…  program, default build/bin/liggghts
 # ASIDE=…     where a run goes that was interrupted before its first restart file, default: beside it
@@ -28,15 +28,13 @@ esac
 case ${RANKS:-1} in
   *[!0-9]* | 0*) refuse "RANKS is '$RANKS', expected a number of MPI ranks, 1 or more" ;;
 esac
+deck=${DECK:-$here/in.deposition}
+{ [ -f "$deck" ] && [ -r "$deck" ]; } || refuse "DECK is '$deck', expected a deck that can be read"
 
-# What a run writes last; an empty file is one that was being written.
+# The run has come to its end; an empty file is one that was being written.
 is_complete() {
   [ -s "$out/result.json" ] && [ "$(tail -c 2 "$out/result.json")" = '}' ]
 }
-
-scene=${SCENE:-deposition}
-deck=$here/../$scene/in.$scene
-[ -f "$deck" ] || refuse "SCENE is '$scene', expected a folder of inputs/ with its deck in.$scene"
 
 parent=$(dirname "$out")
 mkdir -p "$parent"

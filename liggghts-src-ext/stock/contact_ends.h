@@ -25,6 +25,18 @@ inline bool wants_end(const double* history, int values) {
   return false;
 }
 
+/// The same of a particle and a triangle of a mesh, by the history of all its triangles: a pointer
+/// to LIGGGHTS's FixContactHistoryMesh, NULL where contacts remember nothing.
+template <class MeshHistory>
+bool wants_end(MeshHistory* contacts, int particle, int triangle) {
+  if (!contacts || !ends_are_followed()) return false;
+  const int known = contacts->nneighs(particle);
+  for (int k = 0; k < known; ++k)
+    if (contacts->partner(particle, k) == triangle)
+      return wants_end(contacts->contacthistory(particle, k), contacts->get_dnum());
+  return false;
+}
+
 }  // namespace rodpack
 
 #endif

@@ -107,6 +107,27 @@ function(mend_writing folder)
   mend(${folder} dump.cpp "char gzip[128];" "char gzip[strlen(filecurrent) + 16];")
 endfunction()
 
+# A number of a command is its whole word, and in range; words that are none are named.
+function(mend_numbers folder)
+  foreach(source force run update)
+    include_in(${folder} ${source}.cpp stock_numbers.h)
+  endforeach()
+  mend(${folder} force.cpp
+    "error->all(file, line, \"Expected floating point parameter in input script or data file\");"
+    "rodpack::refuse_number(error,file,line,\"a number\",str);")
+  mend(${folder} force.cpp
+    "error->all(file, line, \"Expected integer parameter in input script or data file\");"
+    "rodpack::refuse_number(error,file,line,\"an integer\",str);")
+  mend(${folder} force.cpp "atof(dstr)" "rodpack::whole_word_number(error,file,line,dstr)")
+  mend(${folder} force.cpp "atoi(istr)" "rodpack::whole_word_integer(error,file,line,istr)")
+  foreach(word 0 iarg+1)
+    mend(${folder} run.cpp "ATOBIGINT(arg[${word}])"
+      "rodpack::whole_word_steps(error,FLERR,arg[${word}])")
+  endforeach()
+  mend(${folder} update.cpp "bigint newstep = ATOBIGINT(arg[0])"
+    "bigint newstep = rodpack::whole_word_steps(error,FLERR,arg[0])")
+endfunction()
+
 # Restart files are whole, or refused. Their reader believed everything.
 function(mend_restarts folder)
   include_in(${folder} write_restart.cpp restart_seal.h)
@@ -151,6 +172,10 @@ function(mend_contact_ends folder)
 " "    if(deltan <= 0 || deltan < contactDistanceMultiplier*radius[iPart] ||
        rodpack::wants_end(c_history ? c_history[iPart] : NULL,dnum_))
 ")
+  mend(${folder} fix_wall_gran.cpp
+    "if(deltan <= 0 || (radius && deltan < contactDistanceMultiplier*radius[iPart]))"
+    "if(deltan <= 0 || (radius && deltan < contactDistanceMultiplier*radius[iPart]) ||
+               rodpack::wants_end(fix_contact,iPart,idTri))")
 endfunction()
 
 # Whoever lists contacts is told of them, with the forces of the step.
@@ -194,6 +219,21 @@ function(mend_contact_reports folder)
   endforeach()
 endfunction()
 
+# The liquid bridge of a sphere and a wall: the wall was taken for a particle of a negative number, or of
+# that of the triangle, whose velocity was read: a crash, or another particle's.
+function(mend_bridges_at_walls folder)
+  foreach(component 0 1 2)
+    mend(${folder} cohesion_model_easo_capillary_viscous.h
+      "v[i][${component}] - v[j][${component}]" "scdata.v_i[${component}] - scdata.v_j[${component}]")
+  endforeach()
+  mend(${folder} cohesion_model_easo_capillary_viscous.h
+    "          double **v = atom->v;
+" "")
+  mend(${folder} cohesion_model_easo_capillary_viscous.h
+    "double const *omega_j = atom->omega[j];"
+    "double const *omega_j = scdata.is_wall ? NULL : atom->omega[j];")
+endfunction()
+
 # The inertia tensor of a template of spheres: I_zy was averaged with I_zx.
 function(mend_inertia folder)
   mend(${folder} fix_template_multisphere.cpp "moi_[2][1] = (moi_[2][1]+moi_[2][0])/2.;"
@@ -204,8 +244,10 @@ function(mend_stock folder)
   mend_for_compilers(${folder})
   mend_messages(${folder})
   mend_writing(${folder})
+  mend_numbers(${folder})
   mend_restarts(${folder})
   mend_contact_ends(${folder})
   mend_contact_reports(${folder})
+  mend_bridges_at_walls(${folder})
   mend_inertia(${folder})
 endfunction()

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "reading/checks/contacts_of_bodies.h"
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
 
@@ -85,6 +86,7 @@ void ContactForceSample::add(const Frame& contacts, const Frame* bodies) {
                     ", found timestep " + std::to_string(bodies->timestep));
   add_forces(contacts);
   add_coordination(contacts, bodies);
+  if (bodies) require_contacts_of_bodies(contacts, *bodies);
 }
 
 void ContactForceSample::add_forces(const Frame& contacts) {

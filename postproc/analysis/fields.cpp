@@ -10,6 +10,7 @@
 
 #include "analysis/space/body_volumes.h"
 #include "reading/angles.h"
+#include "reading/checks/contacts_of_bodies.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
 #include "reading/text_file.h"
@@ -185,6 +186,7 @@ AveragedFrame averaged_frame(const Frame& bodies, const Frame* contacts, int dim
           throw DataError(where(*contacts) + ": particle " + std::to_string(body) +
                           " of a contact is not in " + bodies.file);
     require_near(*contacts, read, bodies);
+    require_contacts_of_bodies(*contacts, bodies);
     pairs = sum_pairs(read);
   }
   const auto extent = dimension == 2 ? bodies.column("area") : body_volumes(bodies);

@@ -29,6 +29,7 @@ struct DischargeCommand {
 
 struct MeasuredRun {
   std::string folder;
+  RunParameters parameters;
   OutflowHistory history;
   Outflow outflow;
   int dimension;      // 2 in a plane, 3 in space
@@ -37,7 +38,7 @@ struct MeasuredRun {
 };
 
 MeasuredRun measure_run(const std::string& folder, OutflowOptions options) {
-  const auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
+  auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
   const double width = parameters.number("orifice_width_m"), g = parameters.number("gravity_m_s2");
   const double diameter = parameters.number("particle_diameter_m");
   if (!(width > 0 && g > 0))
@@ -50,8 +51,27 @@ MeasuredRun measure_run(const std::string& folder, OutflowOptions options) {
   const int dimension = parameters.values.contains("vertical_axis") ? 3 : 2;
   auto history = read_outflow((fs::path(folder) / "discharge.csv").string());
   auto outflow = measure_outflow(history, options);
-  return {folder,    std::move(history), outflow,
-          dimension, width / diameter,   std::sqrt(diameter / g)};
+  return {folder,    std::move(parameters), std::move(history),     outflow,
+          dimension, width / diameter,      std::sqrt(diameter / g)};
+}
+
+// One law holds for particles of one shape and friction, and a run that counts twice would make the
+// errors too small.
+void require_other_run_of_the_same_particles(const MeasuredRun& run, const MeasuredRun& first) {
+  if (fs::equivalent(run.folder, first.folder) ||
+      (run.outflow.discharged > 0 && run.width == first.width &&
+       run.history.time == first.history.time &&
+       run.history.discharged == first.history.discharged))
+    throw DataError(run.folder + ": expected each run once, found the counts of " + first.folder);
+  for (const char* key : {"aspect_ratio", "overlap", "size_spread", "friction",
+                          "damping_ratio_normal", "damping_ratio_tangential"}) {
+    const auto expected = first.parameters.values.value(key, nlohmann::json());
+    const auto found = run.parameters.values.value(key, nlohmann::json());
+    if (found != expected)
+      throw DataError(run.parameters.file + ": key '" + key + "': expected " + expected.dump() +
+                      " as in " + first.folder + ", found " + found.dump() +
+                      ": other particles do not share a law");
+  }
 }
 
 std::string or_empty(const std::optional<double>& value, double factor = 1) {
@@ -126,7 +146,11 @@ void run_discharge(const DischargeCommand& command) {
                                              number_text(command.outflow.from) + " and " +
                                              number_text(command.outflow.to));
   std::vector<MeasuredRun> runs;
-  for (const auto& folder : command.runs) runs.push_back(measure_run(folder, command.outflow));
+  for (const auto& folder : command.runs) {
+    auto run = measure_run(folder, command.outflow);
+    for (const auto& earlier : runs) require_other_run_of_the_same_particles(run, earlier);
+    runs.push_back(std::move(run));
+  }
   for (const auto& run : runs)
     if (run.dimension != runs.front().dimension)
       throw DataError(run.folder + ": expected a scene " +

@@ -172,6 +172,10 @@ void rdf_in_plane(const RdfCommand& options) {
 
 void run_rdf(RdfCommand& options) {
   require_few_bins(options.rdf.largest_distance, options.rdf.bin_width, 1e4, "--bin", "--r-max");
+  if (options.rdf.bin_width > options.rdf.largest_distance)
+    throw CLI::ValidationError(
+        "--r-max", "expected the width of a bin (--bin), " + number_text(options.rdf.bin_width) +
+                       " d_p, at least, found " + number_text(options.rdf.largest_distance));
   if (options.axial) {
     options.along_across.largest_distance = *options.axial;
     require_few_bins(*options.axial, options.along_across.bin_width, 1e3, "--axial-bin", "--axial");

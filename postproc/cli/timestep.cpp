@@ -136,12 +136,13 @@ void add_timestep(CLI::App& app) {
   auto* run =
       command->add_option("run", arguments->run, "run folder: its last frame has the contacts")
           ->check(existing_folder());
-  const auto add = [&](const char* name, double& value, const char* help, double high) {
-    return command->add_option(name, value, help)->check(positive_number(high))->excludes(run);
+  const auto add = [&](const char* name, double& value, const char* help, double low, double high) {
+    return command->add_option(name, value, help)->check(number(low, high))->excludes(run);
   };
   auto* kn = add("--kn", arguments->collision.stiffness,
-                 "stiffness k_n of a particle, N/m; two in contact have half of it", 1e15);
-  auto* mass = add("--mass", arguments->collision.mass, "mass of the lightest particle, kg", 1e12);
+                 "stiffness k_n of a particle, N/m; two in contact have half of it", 1e-9, 1e15);
+  auto* mass =
+      add("--mass", arguments->collision.mass, "mass of the lightest particle, kg", 1e-30, 1e12);
   auto* eta = command
                   ->add_option("--eta", arguments->collision.damping_ratio,
                                "damping ratio along the normal")

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "reading/angles.h"
+#include "reading/checks/inside_walls.h"
 #include "reading/checks/particle_sizes.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
@@ -49,6 +51,23 @@ Walls find_walls(const Frame& frame, const PackingOptions& options,
   return walls;
 }
 
+namespace {
+
+// How far each centre lies beyond the side walls and the floor, m; negative inside.
+std::vector<double> beyond_walls(const Packing& packing) {
+  const auto& walls = packing.walls;
+  std::vector<double> beyond;
+  for (std::size_t i = 0; i < packing.x.size(); ++i) {
+    double distance = -std::numeric_limits<double>::infinity();
+    if (walls.sides) distance = std::max(walls.left - packing.x[i], packing.x[i] - walls.right);
+    if (walls.bottom) distance = std::max(distance, walls.floor - packing.y[i]);
+    beyond.push_back(distance);
+  }
+  return beyond;
+}
+
+}  // namespace
+
 Packing read_packing(const Frame& frame, const PackingOptions& options) {
   const auto where = frame.file + ":" + std::to_string(frame.header_line);
   if (frame.rows == 0)
@@ -80,6 +99,8 @@ Packing read_packing(const Frame& frame, const PackingOptions& options) {
     throw DataError(packing.walls.source + ": expected a period of at least a particle's length, " +
                     number_text(packing.axial_length(), 4) + " m, found one of " +
                     number_text(packing.walls.width(), 4) + " m");
+  require_inside_walls(frame, beyond_walls(packing), packing.particle_diameter,
+                       packing.walls.source);
   packing.surface = packing.walls.ceiling;
   if (packing.walls.bottom) {
     const double layer = std::max(2 * packing.particle_diameter, packing.axial_length() / 2);

@@ -65,8 +65,8 @@ Walls find_walls(const Frame& frame, const PackingOptions& options,
 /// Reads a frame with the columns `nspheres x y angle half_length radius curvature area`.
 /// Walls as in find_walls(); parameters.json is looked for beside the dump and one folder up. d_p
 /// and AR: the options, else parameters.json, else the mean 2 radius and the longest particle.
-/// @throws DataError when a column is missing, the frame is empty, a length is not positive, d_p is
-///   not that of the spheres by a factor of 10, or as require_planar_bodies().
+/// @throws DataError when a column is missing, the frame empty, a length not positive, d_p not that
+///   of the spheres by a factor of 10, or as require_planar_bodies() and require_inside_walls().
 Packing read_packing(const Frame& frame, const PackingOptions& options = {});
 
 /// What has to be said of angles and depths where gravity is not along -y; empty where it is.

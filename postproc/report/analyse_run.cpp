@@ -12,6 +12,7 @@
 #include "figures/space/packing_picture.h"
 #include "figures/space/ray_tracing.h"
 #include "figures/vtk_export.h"
+#include "reading/checks/contacts_of_bodies.h"
 #include "reading/checks/planar.h"
 #include "reading/data_error.h"
 #include "reading/json_file.h"
@@ -139,9 +140,8 @@ class Analysis {
     contacts_ = measure_contacts(run_.string(), files_.bodies, options_.packing.parameters,
                                  options_.friction);
     if (files_.own_parameters || contacts_.frame.rows == 0) return;
-    auto why = why_not_of_these_bodies(contacts_.frame, files_.bodies);
-    if (!why.empty()) throw DataError(why + ": expected contacts and bodies of one run");
-    if (packing_) why = why_contacts_not_planar(contacts_.frame);
+    require_contacts_of_bodies(contacts_.frame, files_.bodies);
+    const auto why = packing_ ? why_contacts_not_planar(contacts_.frame) : "";
     if (why.empty()) return;
     contacts_.forces.reset();
     contacts_.frame = {};

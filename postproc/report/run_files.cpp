@@ -120,35 +120,4 @@ RunFiles find_run_files(const std::string& run, const std::string& given) {
   return files;
 }
 
-std::string why_not_of_these_bodies(const Frame& contacts, const Frame& bodies) {
-  for (const char* name : {"body_i", "body_j", "wall", "bix", "bjz"})
-    if (!contacts.has(name)) return "";
-  const auto rows = rows_by_id(bodies);
-  const auto place = vector_columns(bodies, {"x", "y", "z"});
-  const auto& radius = bodies.column("radius");
-  const auto& wall = contacts.column("wall");
-  for (const bool second : {false, true}) {
-    const auto& id = contacts.column(second ? "body_j" : "body_i");
-    const auto said = second ? vector_columns(contacts, {"bjx", "bjy", "bjz"})
-                             : vector_columns(contacts, {"bix", "biy", "biz"});
-    for (std::size_t row = 0; row < contacts.rows; ++row) {
-      if (second && wall[row] != 0) continue;
-      const auto found = rows.find(id[row]);
-      const auto particle = contacts.file + ": particle " + number_text(id[row]);
-      if (found == rows.end()) return particle + " is not in " + bodies.file;
-      double square = 0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        double off = (*said[c])[row] - (*place[c])[found->second];
-        const double period = bodies.bounds[c][1] - bodies.bounds[c][0];
-        if (bodies.periodic[c]) off -= period * std::round(off / period);
-        square += off * off;
-      }
-      if (std::sqrt(square) > radius[found->second])
-        return particle + " is " + number_text(std::sqrt(square), 3) + " m from its place in " +
-               bodies.file;
-    }
-  }
-  return "";
-}
-
 }  // namespace rodpack

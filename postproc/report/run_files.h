@@ -27,11 +27,6 @@ struct RunFiles {
 /// @throws DataError when there is no such folder, no dump of bodies, or dumps are of several runs.
 RunFiles find_run_files(const std::string& run, const std::string& given);
 
-/// Says why contacts are not those of these bodies, both of one timestep: one is of a particle that
-/// is not there, or that lies elsewhere; empty if they are. Contacts without places (bix ... bjz)
-/// pass.
-std::string why_not_of_these_bodies(const Frame& contacts, const Frame& bodies);
-
 }  // namespace rodpack
 
 #endif

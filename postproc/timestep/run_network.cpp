@@ -37,6 +37,13 @@ double squared_gyration_radius(const RunParameters& parameters) {
 
 RunNetwork read_network(const std::string& run) {
   const RunParameters parameters = read_parameters(run + "/parameters.json");
+  for (const char* key :
+       {"normal_stiffness_N_m", "tangential_stiffness_N_m", "damping_ratio_normal",
+        "damping_ratio_tangential", "aspect_ratio", "overlap", "curvature_deg"})
+    if (!parameters.values.contains(key))
+      throw DataError(parameters.file +
+                      ": expected a deposition's parameters of particles and of a " +
+                      "linear contact law (model spring_dashpot), found no key '" + key + "'");
   const Frame frame = last_frame(dumps_of_run(run, "bodies"));
   const Frame contacts = frame_beside(frame, dumps_of_run(run, "contacts"));
   require_planar_bodies(frame, parameters.number("particle_diameter_m"));

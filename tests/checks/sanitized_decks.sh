@@ -3,8 +3,8 @@
 # Usage: sanitized_decks.sh [BUILD]
 # Builds liggghts in a folder of its own, BUILD (default build-sanitized/), with AddressSanitizer and
 # UndefinedBehaviorSanitizer in the core and the styles, not in stock LIGGGHTS, runs every deck of
-# inputs/verification/, and deposits 24 particles with either engine on one rank and on two; each
-# deposition goes on from a restart file as well. The first finding ends the script with exit status 1;
+# inputs/verification/, and small runs of the other decks, on one rank and on two: deposition with either
+# engine, discharge, deposition in space. Each goes on from a restart file as well. The first finding ends the script with exit status 1;
 # its run stays. Takes as long as a build of liggghts, and two minutes more: no part of tests/run.sh.
 set -eu
 if [ $# -gt 1 ]; then
@@ -34,21 +34,26 @@ for deck in "$repository"/inputs/verification/*/in.*; do
   (cd "$run" && OMPI_MCA_ess_singleton_isolated=1 "$LIGGGHTS" -in "$deck")
 done
 
-# deposit FOLDER ENGINE
-deposit() {
-  "$repository/inputs/deposition/run_one.sh" "$1" -var particles 24 -var width_in_lengths 5 \
-    -var particles_per_line 4 -var container_height 0.12 -var relaxation_ratio 1e-4 \
-    -var restart_interval 0.1 -var engine "$2"
+# scene NAME DECK -var NAME VALUE ...: a run, which then goes on from its last restart file once more
+scene() {
+  echo "== $1, ranks: $RANKS"
+  run=$runs/$1$RANKS
+  export DECK=$repository/inputs/$2
+  shift 2
+  "$repository/inputs/deposition/run_one.sh" "$run" "$@"
+  rm "$run/result.json"
+  "$repository/inputs/deposition/run_one.sh" "$run" "$@"
 }
 for RANKS in 1 2; do
   export RANKS
   for engine in planar spheres; do
-    echo "== engine $engine, ranks: $RANKS"
-    run=$runs/$engine$RANKS
-    deposit "$run" "$engine"
-    rm "$run/result.json"
-    deposit "$run" "$engine"
+    scene $engine deposition/in.deposition -var particles 24 -var width_in_lengths 5 -var particles_per_line 4 \
+      -var container_height 0.12 -var relaxation_ratio 1e-4 -var restart_interval 0.1 -var engine $engine
   done
+  scene discharge discharge/in.discharge -var particles 40 -var container_width 0.036 -var orifice_width 0.015 \
+    -var particles_per_line 5 -var settle_time 0.1 -var flow_limit 0.2 -var shutter_speed 0.5 -var restart_interval 0.1
+  scene space deposition3d/in.deposition3d -var particles 30 -var aspect_ratio 3 -var surface coarse \
+    -var container_width 0.018 -var relaxation_ratio 1e-4 -var restart_interval 0.1
 done
 rm -r "$runs"
 echo "sanitized_decks.sh: no finding"

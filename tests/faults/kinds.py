@@ -222,7 +222,7 @@ def other_ranks(scene, chance, count):
 def _forget_the_end(run, chance):
     """As if the run had been killed behind some restart file."""
     (run / "result.json").unlink()
-    files = sorted((run / "restart").glob("deposition.[0-9]*"), key=lambda f: int(f.name.split(".")[1]))
+    files = sorted((run / "restart").glob("*.[0-9]*.restart"), key=lambda f: int(f.name.split(".")[1]))
     for file in files[chance.randrange(1, len(files)):]:
         file.unlink()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A small deposition that faults happen to, and what it has to come to in spite of them."""
+"""A small run of a deck that faults happen to, and what it has to come to in spite of them."""
 
 import os
 import re
@@ -12,14 +12,20 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 RUN_ONE = REPOSITORY / "inputs" / "deposition" / "run_one.sh"
-DECK = REPOSITORY / "inputs" / "deposition" / "in.deposition"
 
 sys.path.insert(0, str(RUN_ONE.parent))
 import whole_restart  # noqa: E402
 
-# Some twelve restart files and dumps of each kind in less than a second.
-VARIABLES = {"particles": 12, "width_in_lengths": 5, "particles_per_line": 4, "container_height": 0.12,
-             "relaxation_ratio": 1e-4, "restart_interval": 0.05, "output_interval": 0.04}
+# The decks with a run folder: some ten restart files and dumps of each kind in about a second.
+DECKS = {
+    "deposition": {"particles": 12, "width_in_lengths": 5, "particles_per_line": 4, "container_height": 0.12,
+                   "relaxation_ratio": 1e-4, "restart_interval": 0.05, "output_interval": 0.04},
+    "discharge": {"particles": 40, "container_width": 0.036, "orifice_width": 0.015, "particles_per_line": 5,
+                  "settle_time": 0.1, "flow_limit": 0.2, "shutter_speed": 0.5, "restart_interval": 0.04,
+                  "output_interval": 0.04},
+    "deposition3d": {"particles": 30, "aspect_ratio": 3, "surface": "coarse", "container_width": 0.018,
+                     "relaxation_ratio": 1e-4, "restart_interval": 0.05, "output_interval": 0.04},
+}
 # No fault may take longer to be noticed; four times as much on a machine that does other things.
 PATIENCE = 40
 
@@ -33,7 +39,9 @@ def words(variables):
 
 
 class Scene:
-    def __init__(self, programs, work):
+    def __init__(self, programs, work, deck):
+        self.deck = REPOSITORY / "inputs" / deck / f"in.{deck}"
+        self.variables = DECKS[deck]
         self.programs = Path(programs).resolve()
         self.liggghts = self.programs / "liggghts"
         self.work = Path(work).resolve()
@@ -55,13 +63,13 @@ class Scene:
         # Ranks that wait leave their core to others.
         return {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                 "OMPI_MCA_ess_singleton_isolated": "1" if ranks == 1 else "0", "RANKS": str(ranks),
-                "LIGGGHTS": str(self.liggghts), **{k: str(v) for k, v in others.items()}}
+                "LIGGGHTS": str(self.liggghts), "DECK": str(self.deck), **{k: str(v) for k, v in others.items()}}
 
     def start(self, run, ranks=1, variables=None, limit=None, **environment):
         """run_one.sh in a process group of its own; `limit` is called in it before it starts."""
         out = open(run.parent / "output.txt", "a")
         return subprocess.Popen(
-            [RUN_ONE, run, *words({**VARIABLES, **(variables or {})})], stdout=out, stderr=out,
+            [RUN_ONE, run, *words({**self.variables, **(variables or {})})], stdout=out, stderr=out,
             stdin=subprocess.DEVNULL, env=self.environment(ranks, **environment), start_new_session=True,
             preexec_fn=limit)
 
@@ -91,8 +99,8 @@ class Scene:
         launcher = ["mpiexec", "--oversubscribe", "--bind-to", "none", "-np", str(ranks)] if ranks > 1 else []
         try:
             done = subprocess.run(
-                [*launcher, self.liggghts, "-log", "none", "-in", DECK, "-var", "out", run,
-                 *words(VARIABLES), *arguments],
+                [*launcher, self.liggghts, "-log", "none", "-in", self.deck, "-var", "out", run,
+                 *words(self.variables), *arguments],
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=self.environment(ranks),
                 timeout=PATIENCE, preexec_fn=limit, cwd=run.parent)
         except subprocess.TimeoutExpired:
@@ -117,9 +125,9 @@ class Scene:
 
 
 def contents(run):
-    """What a run has to say: energies, result, parameters but for its own name, dumps."""
+    """What a run has to say: tables, result, parameters but for its own name, dumps."""
     files = {file.name: "unfinished" for file in run.rglob("*.part")}
-    for file in [run / "energies.csv", run / "result.json", *sorted((run / "dumps").iterdir())]:
+    for file in [*sorted(run.glob("*.csv")), run / "result.json", *sorted((run / "dumps").iterdir())]:
         files[file.name] = file.read_bytes() if file.exists() else None
     text = (run / "parameters.json").read_text()
     files["parameters.json"] = re.sub(r'"(out|resume)": .*', "", text)

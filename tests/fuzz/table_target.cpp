@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A table, CSV or LIGGGHTS's own: every column as text, numbers, whole numbers; and as energies.
+// A table, CSV or LIGGGHTS's own: every column as text, numbers, whole numbers; as energies, and as
+// what has come through an orifice.
+#include "analysis/discharge/outflow.h"
 #include "analysis/energies.h"
 #include "input_file.h"
 #include "reading/data_error.h"
@@ -22,5 +24,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   });
   attempt([&] { rodpack::read_energies(file.name()); });
+  attempt([&] { rodpack::measure_outflow(rodpack::read_outflow(file.name()), {}); });
   return 0;
 }

@@ -226,6 +226,21 @@ TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
   EXPECT_EQ(one.exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "one.png"));
   EXPECT_EQ(test::run_rodpack("discharge 5 --from 0.7 --to 0.2", folder).exit_code, 2);
+  // A run counts once, and with others of the same particles.
+  const auto refusal = [&](const std::string& runs) {
+    const auto refused = test::run_rodpack("discharge -o refused " + runs, folder);
+    EXPECT_EQ(refused.exit_code, 1) << refused.output;
+    return refused.output;
+  };
+  EXPECT_THAT(refusal("5 7 9 ./7"),
+              HasSubstr("./7: expected each run once, found the counts of 7\n"));
+  std::filesystem::copy(folder / "7", folder / "copy");
+  EXPECT_THAT(refusal("5 7 9 copy"), HasSubstr("copy: expected each run once, found the counts"));
+  put(folder / "copy/parameters.json",
+      "{\"orifice_width_m\": 8e-3, \"particle_diameter_m\": 1e-3, \"gravity_m_s2\": 10, "
+      "\"friction\": 0.5}");
+  EXPECT_THAT(refusal("5 7 9 copy"), HasSubstr("key 'friction': expected null as in 5, found 0.5"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "refused.csv"));
 }
 
 // A scene in space says so by its vertical axis; the two laws do not mix.

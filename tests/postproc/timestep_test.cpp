@@ -184,6 +184,16 @@ TEST(RunNetwork, AContactOfAnUnknownParticleIsRefused) {
   }
 }
 
+TEST(RunNetwork, ARunOfAnotherLawIsRefused) {
+  const auto run = rod_on_floor();
+  put(run / "parameters.json", "{\"particle_diameter_m\": 0.003, \"youngs_modulus_Pa\": 1e6}\n");
+  const auto said = test::run_rodpack("timestep " + run.string(), fresh_folder());
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.output,
+              HasSubstr("parameters.json: expected a deposition's parameters of particles "
+                        "and of a linear contact law (model spring_dashpot)"));
+}
+
 TEST(TimestepCommand, AdvisesForARunAndForNumbers) {
   const auto run = rod_on_floor();
   const auto of_run = test::run_rodpack("timestep " + run.string(), fresh_folder());

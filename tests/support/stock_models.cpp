@@ -37,10 +37,20 @@ Deck hertz_deck(const std::string& models) {
   return Deck().hertz().models(models).timestep("1e-5");
 }
 
-std::string floor_of(const std::string& models) {
-  // Stock LIGGGHTS crashes where a wall has liquid bridges.
-  const std::string own = models == bridging_model ? "model hertz tangential history" : models;
-  return "fix floor all wall/gran " + own + " primitive type 1 yplane 0\n";
+std::string floor_of(const std::string& models, const std::filesystem::path* mesh = nullptr,
+                     const std::string& settings = "") {
+  std::string wall = "primitive type 1 yplane 0", lines;
+  if (mesh) {
+    std::ofstream stl(*mesh / "floor.stl");
+    stl << "solid floor\n";
+    for (const char* corners : {"0.002 0 -0.008\nvertex 0.018 0 0.008\nvertex 0.018 0 -0.008",
+                                "0.002 0 -0.008\nvertex 0.002 0 0.008\nvertex 0.018 0 0.008"})
+      stl << "facet normal 0 1 0\nouter loop\nvertex " << corners << "\nendloop\nendfacet\n";
+    stl << "endsolid floor\n";
+    lines = "fix stl all mesh/surface file " + (*mesh / "floor.stl").string() + " type 1\n";
+    wall = "mesh n_meshes 1 meshes stl";
+  }
+  return lines + "fix floor all wall/gran " + models + " " + wall + " " + settings + "\n";
 }
 
 }  // namespace
@@ -56,35 +66,24 @@ std::vector<std::string> stock_models() {
 
 std::string pressed_spheres(const std::string& models, const std::filesystem::path* mesh,
                             const std::string& settings) {
-  std::string wall = "primitive type 1 yplane 0";
-  std::string lines = properties;
-  if (mesh) {
-    std::ofstream stl(*mesh / "floor.stl");
-    stl << "solid floor\n";
-    for (const char* corners : {"0.002 0 -0.008\nvertex 0.018 0 0.008\nvertex 0.018 0 -0.008",
-                                "0.002 0 -0.008\nvertex 0.002 0 0.008\nvertex 0.018 0 0.008"})
-      stl << "facet normal 0 1 0\nouter loop\nvertex " << corners << "\nendloop\nendfacet\n";
-    stl << "endsolid floor\n";
-    lines += "fix stl all mesh/surface file " + (*mesh / "floor.stl").string() + " type 1\n";
-    wall = "mesh n_meshes 1 meshes stl";
-  }
   return hertz_deck(models + " " + settings)
       .box("0 0.02 -0.001 0.02 -0.01 0.01")
-      .with(lines +
-            "create_atoms 1 single 0.011 0.00447 0 units box\n"
-            "create_atoms 1 single 0.011 0.00148 0 units box\n"
-            "set group all diameter 0.003 density 2500\n"
-            "fix integrate all nve/sphere\nfix floor all wall/gran " +
-            models + " " + wall + " " + settings + "\n");
+      .with(properties +
+            std::string("create_atoms 1 single 0.011 0.00447 0 units box\n"
+                        "create_atoms 1 single 0.011 0.00148 0 units box\n"
+                        "set group all diameter 0.003 density 2500\n"
+                        "fix integrate all nve/sphere\n") +
+            floor_of(models, mesh, settings));
 }
 
-std::string column_of(const std::string& models, const std::string& spheres) {
+std::string column_of(const std::string& models, const std::string& spheres,
+                      const std::filesystem::path* mesh) {
   return hertz_deck(models)
       .box("0 0.02 -0.001 0.04 -0.01 0.01")
       .with(properties + spheres +
             "set group all diameter 0.003 density 2500\nfix integrate all nve/sphere\n"
             "fix g all gravity 9.81 vector 0 -1 0\n" +
-            floor_of(models));
+            floor_of(models, mesh));
 }
 
 std::string shaken_spheres(const std::string& models, const std::string& lines,

@@ -33,9 +33,10 @@ const char* const bridging_model = "model hertz tangential history cohesion easo
 std::string pressed_spheres(const std::string& models, const std::filesystem::path* mesh = nullptr,
                             const std::string& settings = "");
 
-/// Spheres, as `create_atoms` commands, above a floor at y = 0 in a box of 20 mm (40 mm high),
-/// under gravity.
-std::string column_of(const std::string& models, const std::string& spheres);
+/// Spheres, as `create_atoms` commands, above such a floor in a box of 20 mm (40 mm high), under
+/// gravity.
+std::string column_of(const std::string& models, const std::string& spheres,
+                      const std::filesystem::path* mesh = nullptr);
 
 /// 36 spheres that fall and slide into a heap on a floor, x periodic, for 2000 steps; `lines` come
 /// before the run, and end.dump tells of its end. Goes on from the restart file `from` if given.

@@ -7,6 +7,7 @@
 #include "analysis/space/body_volumes.h"
 #include "analysis/space/fields/spatial_fields.h"
 #include "reading/angles.h"
+#include "reading/checks/contacts_of_bodies.h"
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
 #include "rodpack/averaging/averaging_kernel.h"
@@ -56,7 +57,10 @@ void VerticalProfileSample::add(const SpatialPacking& packing, const Frame& bodi
   const auto volumes = body_volumes(bodies);
   const auto& mass = bodies.column("mass");
   std::vector<Interaction> interactions;
-  if (contacts) interactions = sum_pairs(read_contacts(*contacts)).interactions;
+  if (contacts) {
+    require_contacts_of_bodies(*contacts, bodies);
+    interactions = sum_pairs(read_contacts(*contacts)).interactions;
+  }
   if (frames_ == 0) start(packing);
   ++frames_;
   const auto up = walls_.vertical, first = walls_.horizontal(0), second = walls_.horizontal(1);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reading/checks/inside_walls.h"
 #include "reading/checks/particle_sizes.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
@@ -210,6 +211,10 @@ SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& o
   packing.aspect_ratio = sizes.aspect_ratio;
   require_room(packing);
   const auto& walls = packing.walls;
+  std::vector<double> beyond;
+  for (const auto& centre : packing.centre)
+    beyond.push_back(-std::min(walls.distance_to_sides(centre), walls.height(centre)));
+  require_inside_walls(bodies, beyond, packing.particle_diameter, walls.source);
   const auto up = walls.vertical;
   packing.surface = walls.high[up];
   if (!walls.periodic[up]) {

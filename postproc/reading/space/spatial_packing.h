@@ -79,7 +79,7 @@ SpatialWalls read_spatial_walls(const Frame& frame, const PackingOptions& option
 /// Reads a frame with the columns `nspheres x y z qw qx qy qz half_length radius mass`. Walls: as
 /// read_spatial_walls(); d_p and AR as in particle_sizes().
 /// @throws DataError as read_spatial_walls(), when a column is missing, the frame is empty, the
-///   container has no room for a particle, or as particle_sizes().
+///   container has no room for a particle, or as particle_sizes() and require_inside_walls().
 SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& options,
                                     const SpaceOptions& space);
 

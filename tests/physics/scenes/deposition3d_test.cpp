@@ -97,27 +97,34 @@ TEST(DepositionInSpace, FloorAndWallsCarryTheWeightOnOneAndTwoRanks) {
     }
 }
 
-// Restart from the middle of the fall, on as many ranks as before: the same bits at the end.
+// Restarts from the last file, when the bed has come to rest and the run only waits whether it
+// stays there, and from the middle of the fall, on as many ranks as before: the same bits at the
+// end. There is a file every 910 steps, the bed is observed every 1000.
 TEST(DepositionInSpace, ResumesExactlyOnOneAndTwoRanks) {
   for (const int ranks : {1, 2}) {
-    const Vars often = {{"restart_interval", "0.1"}, {"container", "cylinder"}};
+    const Vars often = {{"restart_interval", "0.01"}, {"container", "cylinder"}};
     const auto whole = run_liggghts(deck_in_space, heap(often), ranks);
     ASSERT_EQ(whole.exit_code, 0) << whole.output;
     const fs::path run = whole.folder / "run";
     const std::string result = text_of(run / "result.json");
     const fs::path bodies = end_dump(run, "bodies");
-    const std::string last = text_of(bodies);
-    const auto step = std::lround(std::ceil(0.1 / 1.1e-5));
-    const fs::path restart = run / ("restart/deposition3d." + std::to_string(step) + ".restart");
-    ASSERT_TRUE(fs::exists(restart));
-    fs::remove(run / "result.json");
-    fs::remove(bodies);
-    Vars again = heap(often);
-    again["resume"] = restart.string();
-    const auto resumed = run_liggghts_in(whole.folder, deck_in_space, again, ranks);
-    ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
-    EXPECT_EQ(text_of(run / "result.json"), result) << ranks;
-    EXPECT_EQ(text_of(bodies), last) << ranks;
+    const std::string last = text_of(bodies), energies = text_of(run / "energies.csv");
+    const auto every = std::lround(std::ceil(0.01 / 1.1e-5));
+    const long files = result_of(run).at("step").get<long>() / every;
+    for (const long file : {files, 10L}) {
+      const auto restart =
+          run / ("restart/deposition3d." + std::to_string(file * every) + ".restart");
+      ASSERT_TRUE(fs::exists(restart));
+      fs::remove(run / "result.json");
+      fs::remove(bodies);
+      Vars again = heap(often);
+      again["resume"] = restart.string();
+      const auto resumed = run_liggghts_in(whole.folder, deck_in_space, again, ranks);
+      ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
+      EXPECT_EQ(text_of(run / "result.json"), result) << ranks << " ranks, file " << file;
+      EXPECT_EQ(text_of(bodies), last) << ranks << " ranks, file " << file;
+      EXPECT_EQ(text_of(run / "energies.csv"), energies) << ranks << " ranks, file " << file;
+    }
   }
 }
 

@@ -229,6 +229,8 @@ TEST(Deposition, RefusesWrongParameters) {
       {{{"curvature", "200"}}, "parameter 'curvature': expected maximum 180, got 200"},
       {{{"size_spread", "1"}}, "parameter 'size_spread': expected below 1, got 1"},
       {{{"timestep", "0"}}, "parameter 'timestep': expected above 0, got 0"},
+      {{{"output_interval", "1e5"}}, "parameter 'output_interval': expected maximum 1e4, got 1e5"},
+      {{{"gravity", "1e-12"}}, "steps, expected at most 2e9: are gravity 1e-12 m/s2, drop_height"},
       {{{"integrator", "ab5"}}, "parameter 'integrator': value 'ab5' is none of:"},
       {{{"aspectratio", "3"}}, "unknown deck parameter 'aspectratio'"},
       {{{"particles_per_line", "40"}}, "per_line 40"}};

@@ -207,6 +207,7 @@ TEST(Discharge, RefusesWrongParameters) {
       {{{"close_after", "0.01"}, {"orifice_width", "0.0105"}, {"collector_depth", "0.1"}},
        "parameter close_after: expected 0, or as long as the shutter takes"},
       {{{"collector_depth", "0"}}, "parameter 'collector_depth': expected above 0, got 0"},
+      {{{"collector_depth", "0.01"}}, "4 particle lengths and particle_diameter at least, 0.015 m"},
       {{{"shutter_speed", "-1"}}, "parameter 'shutter_speed': expected above 0, got -1"},
       {{{"surface", "coarse"}, {"overlap", "0.3"}}, "got 0.3 with surface coarse"},
       {{{"orifice_widht", "0.02"}}, "unknown deck parameter 'orifice_widht'"}};
@@ -216,4 +217,17 @@ TEST(Discharge, RefusesWrongParameters) {
     EXPECT_THAT(run.output, testing::HasSubstr(message));
     EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
   }
+}
+
+// 120 discs, 9 of whose layers the collector takes at best, stop the flow through an orifice that
+// lets all pass.
+TEST(Discharge, SaysThatTheCollectorIsFull) {
+  const auto run = run_liggghts(deck, small({{"particles", "120"},
+                                             {"collector_depth", "0.018"},
+                                             {"flow_limit", "5"},
+                                             {"rest_ratio", "1e-2"},
+                                             {"rest_time", "0.05"}}));
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_THAT(run.output, testing::HasSubstr("ERROR: the heap in the collector has grown up to"));
+  EXPECT_FALSE(fs::exists(run.folder / "run/result.json"));
 }

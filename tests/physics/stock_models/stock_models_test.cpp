@@ -180,3 +180,29 @@ TEST(StockModels, WhoListsLeavesTheRunAsItIs) {
     EXPECT_EQ(ends[1], ends[0]);
   }
 }
+
+// Nase et al. as easo/capillary/viscous has it: a bridge of viscosity mu damps by 6 pi mu R* v
+// along the normal, over the gap in units of R* or the least separation, here 1.01, and by 6 pi mu
+// R* (8/15 ln(1/1.01) + 0.9588) v along the wall; R* = R/2 at a wall.
+TEST(StockModels, LiquidBridgesAtWallsFeelTheVelocityOfTheSphere) {
+  const auto folder = fresh_folder();
+  for (const bool mesh : {false, true}) {
+    const auto force_at = [](const std::string& velocity, const std::string& file) {
+      return "velocity all set " + velocity + " 0 units box\nrun 0\nwrite_dump all custom " + file +
+             " fx fy modify format \"%.17g %.17g\"\n";
+    };
+    // In contact first, then on its way up, some 30 um above the floor.
+    const auto run = run_liggghts(
+        column_of(bridging_model, "create_atoms 1 single 0.011 0.00148 0 units box\n",
+                  mesh ? &folder : nullptr) +
+        "velocity all set 0 0.1 0 units box\nrun 60\nwrite_dump all custom y.dump y\n" +
+        force_at("0.02 0.1", "a.dump") + force_at("0 0.3", "b.dump"));
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    ASSERT_GT(read_dump(run.folder / "y.dump").column("y")[0], sphere_radius);
+    const Table a = read_dump(run.folder / "a.dump"), b = read_dump(run.folder / "b.dump");
+    const double stokes = 6 * M_PI * 1e-3 * sphere_radius / 2;
+    EXPECT_NEAR(b.column("fy")[0] - a.column("fy")[0], -stokes * 0.2 / 1.01, 1e-9 * stokes);
+    const double along = 8.0 / 15 * std::log(1 / 1.01) + 0.9588;
+    EXPECT_NEAR(a.column("fx")[0] - b.column("fx")[0], -stokes * along * 0.02, 1e-7 * stokes);
+  }
+}

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -86,8 +88,22 @@ void expect_the_same(const std::string& wall, const std::string& run_style, int 
   }
 }
 
-const std::string model =
-    "model spring_dashpot tangential spring_dashpot primitive type 1 xplane 0";
+const std::string law = "model spring_dashpot tangential spring_dashpot ";
+const std::string model = law + "primitive type 1 xplane 0";
+
+/// The plane x = 0 behind the spheres as two triangles, whose common edge is apart from all of them
+/// by more than a radius.
+std::string mesh_wall(const std::filesystem::path& folder) {
+  const auto file = folder / "wall.stl";
+  std::ofstream stl(file);
+  stl << "solid wall\n";
+  for (const char* corners : {"0 -0.009 -0.009\nvertex 0 0.079 -0.009\nvertex 0 0.079 0.009",
+                              "0 -0.009 -0.009\nvertex 0 0.079 0.009\nvertex 0 -0.009 0.009"})
+    stl << "facet normal 1 0 0\nouter loop\nvertex " << corners << "\nendloop\nendfacet\n";
+  stl << "endsolid wall\n";
+  return "fix triangles all mesh/surface file " + file.string() +
+         " type 1\nfix wall all wall/gran " + law + "mesh n_meshes 1 meshes triangles";
+}
 
 }  // namespace
 
@@ -102,6 +118,11 @@ TEST(FastPairs, PairsKeepTheEndOfTheirContactInThePlanarEngine) {
 TEST(FastPairs, WallsKeepTheEndOfTheirContact) {
   // 4.4 % of its radius in a step; at 16 m/s it would come out on the other side.
   expect_the_same("fix wall all wall/gran " + model, "", 1, 6);
+}
+
+TEST(FastPairs, TrianglesKeepTheEndOfTheirContact) {
+  const auto folder = fresh_folder();
+  for (const int ranks : {1, 2}) expect_the_same(mesh_wall(folder), "", ranks, 6);
 }
 
 TEST(FastPairs, SolidWallsKeepTheEndOfTheirContact) {

@@ -216,3 +216,32 @@ TEST(StockMends, UnitsOfTheDeckAreSaidOrRefused) {
   EXPECT_THAT(run_liggghts(deck("compute o all contact/overlap")).output,
               HasSubstr("expected a length (cm) in (0, 1e15]"));
 }
+
+// Stock LIGGGHTS takes 'run 1e6' for one step, 1e10 steps modulo 2^32, 12-5 for 12.
+TEST(StockMends, NumbersOfCommandsAreWholeWordsInTheirRange) {
+  const auto sphere = [](const std::string& lines) {
+    return Deck().hertz().with(
+        "create_atoms 1 single 0.05 0.05 0 units box\n"
+        "set group all diameter 0.003 density 2500\n"
+        "fix move all nve/sphere\n" +
+        lines + "\n");
+  };
+  const std::pair<const char*, const char*> wrong[] = {
+      {"run 1e6", "expected a whole number of steps, got '1e6'"},
+      {"run 5.5", "expected a whole number of steps, got '5.5'"},
+      {"run 10 upto start 0x", "expected a whole number of steps, got '0x'"},
+      {"reset_timestep 1e3", "expected a whole number of steps, got '1e3'"},
+      {"restart 10000000000 r.*", "expected an integer of at most 2147483647, got '10000000000'"},
+      {"thermo 12-5", "expected an integer of at most 2147483647, got '12-5'"},
+      {"thermo 1e3", "expected an integer, got '1e3'"},
+      {"timestep 1e400", "expected a finite number, got '1e400'"},
+      {"timestep 1e-5e", "expected a finite number, got '1e-5e'"},
+      {"timestep abc", "expected a number, got 'abc'"}};
+  for (const auto& [command, message] : wrong) {
+    const auto run = run_liggghts(sphere(command));
+    EXPECT_NE(run.exit_code, 0) << command;
+    EXPECT_THAT(run.output, HasSubstr(message)) << command;
+  }
+  const auto run = run_liggghts(sphere("timestep +1.0E-5\nrun 10\nrun +20 upto\nrun 0"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}

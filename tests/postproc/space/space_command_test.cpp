@@ -116,6 +116,8 @@ TEST_F(SpaceCommand, RdfRefusesWhatItCannotMeasure) {
                  "--axial: expected at least 2 bins");
   expect_refusal("rdf b.dump --vertical z --axial 100 --axial-bin 0.01", 2,
                  "--axial-bin: expected at most 1000 bins up to --axial, found 10000");
+  expect_refusal("rdf b.dump --vertical z --r-max 0.01", 2,
+                 "--r-max: expected the width of a bin (--bin), 0.1 d_p, at least, found 0.01");
   expect_refusal("rdf b.dump --vertical z --axial 40", 1,
                  "fewer than 2 particles lie further than");
   rodpack::test::SyntheticPacking planar;
@@ -209,6 +211,20 @@ TEST_F(SpaceFields, OptionsOfTheOtherKindOfSceneAreRefused) {
   put(folder_ / "planar.dump", planar.bodies_frame(1));
   expect_refusal("solid-fraction planar.dump --slice x=0.1", 2,
                  "--slice: expected in a scene in space alone");
+}
+
+// The particles of a run of the same size have the same numbers, but not the same places.
+TEST_F(SpaceCommand, ContactsOfAnotherRunAreRefused) {
+  put(folder_ / "c.dump",
+      "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS ff ff ff\n0 0.1\n0 0.1\n"
+      "0 0.1\nITEM: ENTRIES body_i body_j sphere_i sphere_j wall x y z fx fy fz bix biy biz bjx "
+      "bjy "
+      "bjz overlap_n overlap_t nx ny nz\n"
+      "1 2 1 2 0 0.05 0.05 0.05 0 0 1 0.05 0.05 0.051 0.05 0.05 0.049 1e-6 0 0 0 1\n");
+  for (const std::string command :
+       {"forces c.dump --bodies b.dump", "profile b.dump --contacts c.dump"})
+    expect_refusal(command + " --vertical z", 1,
+                   "its place in b.dump: expected contacts and bodies of one run");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class SpatialReading : public testing::Test {
     return last_frame({put(folder_ / "b.dump", text)});
   }
   Frame upright() {
-    return frame({{0.05, 0.05, 0.005}, {0.05, 0.1, 0.005}}, {{0, 0, 1}, {0, 0, 1}});
+    return frame({{0.05, 0.05, 0.005}, {0.05, 0.07, 0.005}}, {{0, 0, 1}, {0, 0, 1}});
   }
   Frame flat() { return frame({{0.05, 0.05, 0.1}, {0.05, 0.1, 0.1}}, {{0, 1, 0}, {1, 0, 0}}); }
 
@@ -156,6 +156,12 @@ TEST_F(SpatialReading, WhatCannotBeIsRefusedByName) {
               HasSubstr("expected a container of at least d_p = 0.002 m along x, found 0.0018 m"));
   EXPECT_THAT(error_of(bodies, {"z", {}, {0.05, 0.05, -1}}),
               HasSubstr("--cylinder: expected a positive radius, found -1"));
+  EXPECT_THAT(
+      error_of(bodies, {"z", {}, {0.02, 0.02, 0.02}}),
+      HasSubstr("b.dump:10: expected the particles within the walls (--cylinder, box bounds"));
+  EXPECT_THAT(error_of(bodies, {"z", {0, 0.1, 0, 0.2, 0.1, 0.3}, {}}),
+              HasSubstr("(--container), found 2 of 2 further than d_p beyond them, this one by "
+                        "47.5 d_p"));
   const auto periodic = frame({{0.05, 0.05, 0.005}}, {{0, 0, 1}}, "ff pp ff");
   EXPECT_THAT(error_of(periodic, {"z", {}, {0.05, 0.05, 0.04}}),
               HasSubstr("--cylinder: expected a dump with walls along y, which is periodic"));

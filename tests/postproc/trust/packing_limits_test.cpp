@@ -55,6 +55,22 @@ TEST(PackingLimits, HeightIsLimitedInLayers) {
               HasSubstr("expected at most 100000 layers of the thickness 0.0075 m"));
 }
 
+// Walls of another run, or in another unit, do not hold the particles; a soft one lets a centre in.
+TEST(PackingLimits, WallsHoldTheParticles) {
+  PackingOptions options;
+  const auto error = [&](const std::vector<double>& walls) {
+    options.walls = walls;
+    return error_of([&] { read_packing(two_rods("0.2"), options); });
+  };
+  EXPECT_EQ(error({0.102, 0.3, 0}), "no error");
+  EXPECT_THAT(
+      error({0.15, 0.3, 0}),
+      HasSubstr("b.dump:10: expected the particles within the walls (--walls), found 2 of 2 "
+                "further than d_p beyond them, this one by 16.7 d_p"));
+  EXPECT_THAT(error({0, 0.09, 0}), HasSubstr("this one by 3.33 d_p"));
+  EXPECT_THAT(error({0, 0.3, 0.15}), HasSubstr("found 1 of 2 further than d_p beyond them"));
+}
+
 // A shorter period would let a kernel see any number of images.
 TEST(PackingLimits, ContainersAreAtLeastAsWideAsAParticle) {
   PackingOptions options;

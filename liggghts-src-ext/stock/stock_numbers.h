@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef RODPACK_STOCK_NUMBERS_H
+#define RODPACK_STOCK_NUMBERS_H
+
+namespace LAMMPS_NS {
+class Error;
+}
+
+// What the mended sources of LIGGGHTS (mends.cmake) read numbers of commands with. Stock code reads
+// the beginning of a word ("run 1e6" makes one step) and takes integers modulo 2^32. `file` and
+// `line` are those of Error::all; all ranks have to call these functions.
+namespace rodpack {
+
+/// Stops the run: "expected EXPECTED, got 'TEXT'".
+void refuse_number(LAMMPS_NS::Error* error, const char* file, int line, const char* expected,
+                   const char* text);
+
+/// The finite number that the whole word is; stops the run where it is none.
+double whole_word_number(LAMMPS_NS::Error* error, const char* file, int line, const char* text);
+
+/// The same of an integer of at most 2147483647 in magnitude.
+int whole_word_integer(LAMMPS_NS::Error* error, const char* file, int line, const char* text);
+
+/// The same of a number of steps, up to 9e18.
+long long whole_word_steps(LAMMPS_NS::Error* error, const char* file, int line, const char* text);
+
+}  // namespace rodpack
+
+#endif
