@@ -4,7 +4,8 @@
 #
 #   inputs/run.sh PRESET [-var NAME VALUE ...]
 #
-# PRESET    quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one);
+# PRESET    quick (400 particles, ten seconds), paper (9000 particles, half an hour to one) or
+#           economy (the same bed by a cheaper method: inputs/accuracy/README.md);
 #           quick is narrower and lower, and orders otherwise: its numbers are not the paper's
 # -var …    handed to the deck, see inputs/README.md
 # OUT=…     run folder, default results/PRESET; a relative one starts at the root of the repository
@@ -19,9 +20,9 @@ refuse() {
 }
 
 case "${1:-}" in
-  quick | paper) ;;
+  quick | paper | economy) ;;
   *)
-    echo "inputs/run.sh: preset '${1:-}', expected quick or paper" >&2
+    echo "inputs/run.sh: preset '${1:-}', expected quick, paper or economy" >&2
     sed -n '3,/^set/{/^set/!s/^# \{0,1\}//p}' inputs/run.sh >&2
     exit 2
     ;;
@@ -68,6 +69,7 @@ docker/build.sh
 case $preset in
   quick) takes="ten seconds" ;;
   paper) takes="half an hour to one" ;;
+  economy) takes="ten minutes or so" ;;
 esac
 echo "3/4 run: $out ($takes; every line below is a report of its own)"
 if [ -e "$out/result.json" ]; then

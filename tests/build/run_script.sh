@@ -31,8 +31,8 @@ refuses() {
   fi
 }
 
-refuses "preset '', expected quick or paper"
-refuses "preset 'foo', expected quick or paper" foo
+refuses "preset '', expected quick, paper or economy"
+refuses "preset 'foo', expected quick, paper or economy" foo
 refuses "'particles 30', expected -var NAME VALUE" quick particles 30
 refuses "'-var particles', expected -var NAME VALUE" quick -var seed 1 -var particles
 refuses "'--var particles 30', expected -var NAME VALUE" quick --var particles 30

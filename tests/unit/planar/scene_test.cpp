@@ -201,20 +201,26 @@ TEST(PlanarScene, AnAngleBeyondAllNumbersEnds) {
   EXPECT_EQ(scene.run(3), 3);
 }
 
-// Orders, and both caps of friction.
+// Orders, both caps of friction, and mass scaling.
 TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
-  for (const auto& method : {std::make_pair(1, false), std::make_pair(2, true),
-                             std::make_pair(3, false), std::make_pair(4, true)}) {
-    const int order = method.first;
+  const struct {
+    int order;
+    bool total_force_cap;
+    double mass_scaling;
+  } methods[] = {{1, false, 0}, {2, true, 0}, {3, false, 0}, {4, true, 0}, {2, false, 1.2}};
+  for (const auto& method : methods) {
+    const int order = method.order;
     PlanarSettings settings = box(5);
     settings.order = order;
-    settings.total_force_cap = method.second;
+    settings.total_force_cap = method.total_force_cap;
+    settings.mass_scaling = method.mass_scaling;
     settings.events = false;
     const std::vector<PlanarBody> start = heap(9, 5);
     const int steps = 4000;
     PlainScene plain(settings, start);
     plain.run(steps);
     ASSERT_GT(plain.touched(), 12u);
+    if (method.mass_scaling > 0) ASSERT_GT(plain.largest_factor(), 3);
     PlanarScene scene(settings, start);
     scene.evaluate();
     scene.run(steps);
@@ -245,6 +251,7 @@ TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
       settings.events = events;
       settings.order = order;
       settings.total_force_cap = order == 4;
+      settings.mass_scaling = order == 2 ? 1.5 : 0.0;
       settings.slots = 4;
       std::vector<PlanarBody> start = heap(23, 5, 2.0);
       const double middle = 0.5 * settings.walls[2].position;
