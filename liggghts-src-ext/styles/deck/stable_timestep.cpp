@@ -36,7 +36,7 @@ void StableTimestep::command(int narg, char** arg) {
   const std::string name = arguments.word("NAME", "the name of a variable");
   rodpack::PackingLaw law = {};
   rodpack::ChainShape shape = {};
-  double scaling = 0.0, density = 0.0, fraction = 0.8, fewest = 12.0;
+  double scaling = 0.0, density = 0.0, fraction = 0.9, fewest = 12.0;
   int order = 0;
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword();

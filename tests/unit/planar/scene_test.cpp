@@ -236,6 +236,26 @@ TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
   }
 }
 
+// A rod's end strikes another rod: a contact or two, of weight 3 at most each, below S^2. Under a
+// scaling that these contacts reach they rebound otherwise.
+TEST(PlanarScene, MassScalingLeavesFreeCollisionsAsTheyAre) {
+  for (const bool events : {false, true}) {
+    const auto after = [&](double mass_scaling) {
+      PlanarSettings settings = settings_of();
+      settings.order = 2;
+      settings.events = events;
+      settings.mass_scaling = mass_scaling;
+      PlanarScene scene(settings,
+                        {rod(5, 0, 0, 0.1), moving(rod(5, 2e-3, 9.1e-3, 1.5), 0.1, -0.5, 3)});
+      scene.evaluate();
+      scene.run(500);
+      return state_of(scene);
+    };
+    EXPECT_EQ(difference(after(4), after(0)), 0) << events;
+    EXPECT_GT(difference(after(1), after(0)), 1e-3) << events;
+  }
+}
+
 // Loads of a heap that moves and of one that rests, and forces of its contacts, after some steps
 // from the same state; measured by the largest normal force. The origin is in the middle of the
 // heap: a position is exact to half a unit in its last place, which a stiff spring turns into a
