@@ -4,8 +4,9 @@
 #
 #   inputs/run.sh SCENE [-var NAME VALUE ...]
 #
-# SCENE     quick (400 particles, ten seconds) or paper (9000 particles, half an hour to one), two presets
-#           of the deposition; quick is narrower and lower, and orders otherwise: its numbers are not the
+# SCENE     quick (400 particles, ten seconds), paper (9000 particles, half an hour to one) or economy
+#           (the same bed by a cheaper method: inputs/accuracy/README.md), three presets of the
+#           deposition; quick is narrower and lower, and orders otherwise: its numbers are not the
 #           paper's. Or a scene of its own folder: deposition3d, discharge, discharge3d, incline (minutes)
 # -var …    handed to the deck, see inputs/README.md and the scene's own page
 # OUT=…     run folder, default results/SCENE; a relative one starts at the root of the repository
@@ -21,10 +22,10 @@ refuse() {
 
 scene=${1:-}
 case $scene in
-  quick | paper) deck=deposition ;;
+  quick | paper | economy) deck=deposition ;;
   deposition3d | discharge | discharge3d | incline) deck=$scene ;;
   *)
-    echo "inputs/run.sh: scene '$scene', expected quick, paper, deposition3d, discharge, discharge3d or incline" >&2
+    echo "inputs/run.sh: scene '$scene', expected quick, paper, economy, deposition3d, discharge, discharge3d or incline" >&2
     sed -n '3,/^set/{/^set/!s/^# \{0,1\}//p}' inputs/run.sh >&2
     exit 2
     ;;
@@ -70,6 +71,7 @@ docker/build.sh
 case $scene in
   quick) takes="ten seconds" ;;
   paper) takes="half an hour to one" ;;
+  economy) takes="ten minutes or so" ;;
   *) takes="some minutes" ;;
 esac
 echo "3/4 run: $out ($takes; every line below is a report of its own)"
@@ -77,7 +79,7 @@ if [ -e "$out/result.json" ]; then
   echo "$out is complete: not run again (delete it, or choose another with OUT=…)"
 else
   case $scene in
-    quick | paper) set -- -var preset "$scene" "$@" ;;
+    quick | paper | economy) set -- -var preset "$scene" "$@" ;;
   esac
   DECK=inputs/$deck/in.$deck RANKS=$ranks inputs/deposition/run_one.sh "$out" "$@"
   printf '%s\n' "$arguments" > "$out/arguments"
@@ -86,7 +88,7 @@ fi
 echo "4/4 analysis and figures"
 mkdir -p "$out/analysis"
 case $scene in
-  quick | paper | deposition3d) build/bin/rodpack analyse "$out" ;;
+  quick | paper | economy | deposition3d) build/bin/rodpack analyse "$out" ;;
   discharge)
     build/bin/rodpack discharge "$out" -o "$out/analysis/outflow"
     build/bin/rodpack render "$out/dumps/spheres.*.dump" -o "$out/analysis/packing"

@@ -86,7 +86,7 @@ def parameter_of(words):
     for keyword, value in zip(words[4::2], words[5::2]):
         if keyword == "unit":
             parameter.unit = value
-        else:
+        elif keyword != "auto":  # the step under mass scaling, which LIGGGHTS alone works out
             parameter.bounds.append((keyword, float(value)))
     return parameter
 

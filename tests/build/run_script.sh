@@ -31,7 +31,7 @@ refuses() {
   fi
 }
 
-scenes='expected quick, paper, deposition3d, discharge, discharge3d or incline'
+scenes='expected quick, paper, economy, deposition3d, discharge, discharge3d or incline'
 refuses "scene '', $scenes"
 refuses "scene 'foo', $scenes" foo
 refuses "scene 'inputs/discharge', $scenes" inputs/discharge

@@ -123,11 +123,15 @@ TEST(PlanarEngine, TrajectoriesAreThoseOfTheSphereLevelStyles) {
   std::string fast = total;
   fast.replace(fast.find("velocity -0.25 0.25"), 19, "velocity -1.5 1.5");
   const std::string often = "fix look all print 12 looked screen no";
+  // A rod that lies on the floor has four times its inertia then.
+  const std::string scaled = "2 mass_scaling 2";
   const std::pair<std::string, Vars> cases[] = {{deck, {{"events", "yes"}, {"steps", "100000"}}},
                                                 {deck, {{"events", "no"}}},
                                                 {deck, {{"order", "2"}}},
                                                 {deck, {{"order", "4"}}},
                                                 {deck, {{"order", "1"}}},
+                                                {deck, {{"order", scaled}, {"events", "no"}}},
+                                                {deck, {{"order", scaled}}},
                                                 {deck, {{"curvature", "120"}}},
                                                 {deck, {{"ar", "1"}}},
                                                 {deck, {{"ar", "2"}}},
@@ -211,13 +215,20 @@ TEST(PlanarEngine, RunsWithTheInstructionsThatItIsTold) {
 
 // Nothing that the engine knows stays in it: what LIGGGHTS writes is all.
 TEST(PlanarEngine, RestartGoesOnExactly) {
-  const Vars vars = {{"rods", "15"},
-                     {"height", "0.08"},
-                     {"steps", "20000"},
-                     {"every", "1000"},
-                     {"extra", "restart 9000 r.*"},
-                     {"style", "verlet/planar"}};
-  for (const char* cap : {"off", "on"}) {
+  const struct {
+    const char *cap, *order, *style;
+  } cases[] = {{"off", "3", "verlet/planar"},
+               {"on", "3", "verlet/planar"},
+               {"off", "2 mass_scaling 2", "verlet/planar"},
+               {"off", "2 mass_scaling 2", "verlet"}};
+  for (const auto& [cap, order, style] : cases) {
+    const Vars vars = {{"rods", "15"},
+                       {"height", "0.08"},
+                       {"steps", "20000"},
+                       {"every", "1000"},
+                       {"order", order},
+                       {"extra", "restart 9000 r.*"},
+                       {"style", style}};
     const auto run = run_liggghts(with_cap(deck, cap), vars);
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const Table whole = last(run, "bodies", vars);
@@ -228,7 +239,7 @@ TEST(PlanarEngine, RestartGoesOnExactly) {
     ASSERT_EQ(again.exit_code, 0) << again.output;
     const Table parts = last(run, "bodies", vars);
     for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})
-      EXPECT_EQ(whole.column(column), parts.column(column)) << cap << column;
+      EXPECT_EQ(whole.column(column), parts.column(column)) << cap << order << style << column;
   }
 }
 
@@ -276,6 +287,21 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
 // Ranks differ from one another by the order of sums: nothing in the time of this test, in which
 // the first rods fall, collide across the borders of the ranks and are looked at every 11 ms.
 TEST(PlanarEngine, RanksAgreeWithOneRankToRounding) {
+  // The contacts that mass scaling counts are those of all ranks, with either style.
+  const Vars shared = {{"rods", "15"}, {"height", "0.08"}, {"steps", "20000"}, {"events", "no"}};
+  for (const char* style : {"verlet", "verlet/planar"}) {
+    Vars vars = shared;
+    vars["style"] = style;
+    const auto plain = run_liggghts(deck, vars);
+    vars["order"] = "2 mass_scaling 2";
+    const auto one = run_liggghts(deck, vars), two = run_liggghts(deck, vars, 2);
+    ASSERT_EQ(two.exit_code, 0) << two.output;
+    const Table a = last(one, "bodies", vars), b = last(two, "bodies", vars);
+    EXPECT_LT(difference(a, b, "x"), 1e-10) << style;
+    EXPECT_LT(difference(a, b, "vy", 0.1), 1e-9) << style;
+    EXPECT_LT(difference(a, b, "omegaz", 0.1 / 7.5e-3), 1e-9) << style;
+    EXPECT_GT(difference(a, last(plain, "bodies", vars), "y"), 1e-5) << style;
+  }
   const Vars vars = {
       {"rods", "15"}, {"height", "0.08"}, {"steps", "23000"}, {"style", "verlet/planar"}};
   const auto one = run_liggghts(deck, vars);

@@ -220,6 +220,9 @@ TEST(Beds, FrontierIsByTheEngineAndHeldAgainstHalfThePapersStep) {
   BedModel finest = paper_model(true);
   finest.step = 0.5 * paper_step;
   EXPECT_TRUE(frontier.models.back() == finest);
+  const auto economy = bed_comparisons({}, {"economy"}).front();
+  EXPECT_TRUE(economy.by_engine());
+  EXPECT_TRUE(economy.models.back() == paper_model(true));
 }
 
 // A step of the paper's model takes 5e-5 s by the engine and ten times that without: twice its step
@@ -245,6 +248,7 @@ TEST(Beds, RowsComeBackFromTheirText) {
   BedModel model = step_model(paper_step / 3, "builtin");
   model.overlap = 0.875;
   model.stiffness = 1000;
+  model.mass_scaling = 4;
   BedRow row = bed(model, 7);
   row.mean_force = 1.0 / 3;
   row.contacts = 11.25;
@@ -306,6 +310,7 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
   settings.inputs = RODPACK_REPOSITORY "/inputs";
   BedModel model;
   model.overlap = 0.75;
+  model.mass_scaling = 4.5;
   settings.bed_scene = {24, 5};
   const auto row = run_bed(settings, folder.string(), model, 3);
   EXPECT_EQ(row.rods, 2);
@@ -326,7 +331,8 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
   std::ostringstream arguments;
   arguments << std::ifstream(folder / "arguments").rdbuf();
   EXPECT_THAT(arguments.str(),
-              HasSubstr("-var integrator multisphere/ab order 3 events yes planar yes "));
+              HasSubstr("-var integrator multisphere/ab order 3 events yes mass_scaling 4.5 planar "
+                        "yes "));
   EXPECT_THAT(arguments.str(), HasSubstr("-var style verlet "));
   EXPECT_THAT(arguments.str(),
               HasSubstr("-var lines 24 -var overlap 0.75 -var per_line 5 -var seed 3"));
@@ -400,7 +406,7 @@ TEST(Beds, FiguresAreDrawn) {
   AccuracySettings settings;
   settings.bed_methods = {"ab3", "ab3e"};
   draw_beds(rows, settings, folder.string());
-  for (const char* name : {"beds_step", "beds_surface", "beds_stiffness", "beds_frontier"})
+  for (const char* name : {"beds_step", "beds_surface", "beds_stiffness", "beds_frontier", "beds_economy"})
     for (const char* suffix : {".png", ".svg"})
       EXPECT_GT(fs::file_size(folder / (std::string(name) + suffix)), 5000u) << name << suffix;
 }

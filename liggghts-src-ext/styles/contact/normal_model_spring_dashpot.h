@@ -8,6 +8,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #define NORMAL_MODEL_SPRING_DASHPOT_H_
 
 #include <cstdio>
+#include "contact_counts.h"
 #include "contact_events.h"
 #include "contact_models.h"
 #include "contact_recorder.h"
@@ -103,6 +104,8 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
         rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn);
     sidata.Fn = normal.total;
     follow(sidata, normal.viscoelastic);
+    ContactCounts* const counts = ContactCounts::active();
+    if (counts && sidata.computeflag) counts->add(sidata);
 
     const double force_magnitude = sidata.is_wall ? sidata.Fn * sidata.area_ratio : sidata.Fn;
     for (int d = 0; d < 3; ++d) {

@@ -111,6 +111,7 @@ void Parameter::declare(int narg, char** arg) {
   arguments.choice("TYPE", {"real", "integer", "choice", "text"});
   if (!arguments.more()) arguments.word("DEFAULT", "a value");
   it.value = take_value(it.name, arguments.peek());
+  if (it.type == "real" && it.value == "auto") it.value = automatic_value(it, arguments);
   if (it.type == "choice") {
     declare_choice(it, arguments);
   } else if (it.type == "text") {
@@ -131,6 +132,27 @@ void Parameter::declare(int narg, char** arg) {
   std::string text;
   for (const auto& d : declared_) text += json_entry(d) + "\n";
   run_parameters() = text;
+}
+
+/// The value of the variable that the deck names behind `auto`, which the parameter takes then.
+std::string Parameter::automatic_value(const Declaration& it,
+                                       const StyleArguments& arguments) const {
+  int at = 1;
+  while (at < arguments.left() && arguments.peek(at) != "auto") ++at;
+  if (at >= arguments.left()) return it.value;  // which is no number, as declare_number() will say
+  std::string variable = arguments.peek(at + 1);
+  char* const value = variable.empty() || input->variable->find(&variable[0]) < 0
+                          ? nullptr
+                          : input->variable->retrieve(&variable[0]);
+  if (!value)
+    arguments.fail("value 'auto' is that of the variable '" + variable +
+                   "', which is not set here: expected a number");
+  const std::string number = value;
+  std::string words[] = {it.name, "delete"};
+  char* remove[] = {&words[0][0], &words[1][0]};
+  input->variable->set(2, remove);  // the word on the command line would stay otherwise
+  set_variable(it.name, "string", number);
+  return number;
 }
 
 void Parameter::clear() {
@@ -168,12 +190,16 @@ void Parameter::declare_number(Declaration& it, StyleArguments& arguments) {
   std::string broken;  // the first bound that the value does not keep
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword(), text = arguments.peek();
+    if (keyword == "auto") {
+      arguments.word(keyword, "the name of a variable");
+      continue;
+    }
     if (keyword == "unit") {
       it.unit = arguments.word(keyword, "the name of a unit");
       continue;
     }
     if (keyword != "minimum" && keyword != "above" && keyword != "maximum" && keyword != "below")
-      arguments.reject_keyword(keyword, "unit, minimum, above, maximum or below");
+      arguments.reject_keyword(keyword, "unit, auto, minimum, above, maximum or below");
     const double bound = arguments.number(keyword, "a number");
     const bool kept = keyword == "minimum"   ? number >= bound
                       : keyword == "above"   ? number > bound

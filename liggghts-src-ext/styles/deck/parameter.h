@@ -33,6 +33,7 @@ class Parameter : protected Pointers {
   void include(const std::string& file) const;
   void declare_choice(const Declaration& it, class StyleArguments& arguments);
   static void clear();
+  std::string automatic_value(const Declaration& it, const class StyleArguments& arguments) const;
   void declare_number(Declaration& it, class StyleArguments& arguments);
   void check_command_line() const;
   void write(const std::string& file) const;

@@ -13,6 +13,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix_multisphere_ab.h"
 #include "fix_property_global.h"
 #include "fix_template_sphere.h"
 #include "force.h"
@@ -243,12 +244,14 @@ std::vector<FixCheckTimestepMultisphere::IdentifiedBody> FixCheckTimestepMultisp
     Flags& moves = *bodies.prop().getElementProperty<Flags>("fflag");
     Flags& turns = *bodies.prop().getElementProperty<Flags>("tflag");
     const ScalarContainer<int>* const prescribed = prescribed_motions(bodies);
+    const auto* const scaled = dynamic_cast<const FixMultisphereAB*>(fix);
     for (int k = 0; k < fix->n_body(); ++k) {
       const bool is_held = prescribed && (*prescribed)(k) != 0;
       NetworkBody body = {};
-      body.mass = bodies.mass(k);
+      const double factor = scaled ? scaled->inertia_factor(k) : 1.0;
+      body.mass = factor * bodies.mass(k);
       for (int d = 0; d < 3; ++d) {
-        const double moment = inertia(k)[d];
+        const double moment = factor * inertia(k)[d];
         const double* const axis = (*axes[d])(k);
         for (int a = 0; a < 3; ++a)
           for (int b = 0; b < 3; ++b) body.moments[a][b] += moment * axis[a] * axis[b];

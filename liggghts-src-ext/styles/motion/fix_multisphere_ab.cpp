@@ -79,17 +79,21 @@ void FixMultisphereAB::parse(int narg, char** arg) {
       allow_heatsource_ = arguments.yes_or_no(keyword);
     else if (keyword == "events")
       events = arguments.yes_or_no(keyword);
+    else if (keyword == "mass_scaling")
+      mass_scaling_ = arguments.number(keyword, "a ratio of frequencies in [1, 1000]");
     else if (!options_.read(keyword, arguments))
-      arguments.reject_keyword(keyword,
-                               "order, planar, events, allow_group_and_set or allow_heatsource");
+      arguments.reject_keyword(
+          keyword, "order, planar, events, mass_scaling, allow_group_and_set or allow_heatsource");
   }
   // First order has nothing to lose at an event.
   if (events && options_.order() > 1) events_.reset(new ContactEvents(lmp, this));
+  if (mass_scaling_ > 0.0) counts_.reset(new ContactCounts(lmp));
 }
 
 void FixMultisphereAB::post_create() {
   FixMultisphere::post_create();
   PlanarOwners::create_property(lmp, style);
+  if (counts_) counts_->create_property(style);
   if (!events_) return;
   events_->create_properties(style);
   // The models are told of a pair that parts only while it is closer than this times the sum of the
@@ -107,6 +111,7 @@ void FixMultisphereAB::init() {
   planar_ = options_.planar();
   find_prescribed();
   if (events_) events_->init();
+  if (counts_) counts_->check_models(name_of(*this) + ": mass_scaling");
   restart_history_after_change();
 }
 
@@ -155,14 +160,21 @@ void FixMultisphereAB::initial_integrate(int) {
   if (events_) events_->arm();
 }
 
+void FixMultisphereAB::setup(int vflag) {
+  FixMultisphere::setup(vflag);
+  if (counts_) sum_contact_weights();
+}
+
 void FixMultisphereAB::pre_force(int vflag) {
   FixMultisphere::pre_force(vflag);
+  if (counts_) counts_->begin();
   if (events_ && neighbor->ago == 0) events_->renew_ghosts();
 }
 
 void FixMultisphereAB::final_integrate() {
   // Velocities are those of this time already, on ghosts too: only the forces are missing.
   calc_force(false);
+  if (counts_) sum_contact_weights();
   if (events_) apply_events();
 }
 
@@ -180,6 +192,7 @@ void FixMultisphereAB::advance_planar(int body) {
 
   double *x = xcm_(body), *v = vcm_(body), *q = quat_(body);
   const double *force = fcm_(body), mass = mass_(body), moment = moment_about_z(body);
+  const double share = 1.0 / inertia_factor(body);
   const bool* force_on = fflag_(body);
   PlanarMotion motion = {{x[0], x[1]}, {v[0], v[1]}, omega_(body)[2], {q[0], q[1], q[2], q[3]}};
 
@@ -187,10 +200,10 @@ void FixMultisphereAB::advance_planar(int body) {
   PlanarRates& now = history[order_ - 1];
   for (int d = 0; d < 2; ++d) {
     now.velocity[d] = v[d];
-    now.acceleration[d] = force_on[d] ? force[d] / mass : 0.0;
+    now.acceleration[d] = force_on[d] ? share * (force[d] / mass) : 0.0;
   }
   now.angular_velocity = motion.angular_velocity;
-  now.angular_acceleration = tflag_(body)[2] ? torque_(body)[2] / moment : 0.0;
+  now.angular_acceleration = tflag_(body)[2] ? share * (torque_(body)[2] / moment) : 0.0;
 
   const auto fill = [&](PlanarRates* h) { rodpack::fill_kinematic_history(h, order_, update->dt); };
   if (options_.always_planar())
@@ -225,6 +238,7 @@ void FixMultisphereAB::advance_spatial(int body) {
   double *x = xcm_(body), *v = vcm_(body), *l = angmom_(body), *q = quat_(body);
   const double *force = fcm_(body), *torque = torque_(body), mass = mass_(body);
   const bool *force_on = fflag_(body), *torque_on = tflag_(body);
+  const double share = 1.0 / inertia_factor(body);
   double inertia[3];
   std::copy(inertia_(body), inertia_(body) + 3, inertia);
   SpatialMotion motion = {
@@ -234,8 +248,8 @@ void FixMultisphereAB::advance_spatial(int body) {
   SpatialRates& now = history[order_ - 1];
   for (int d = 0; d < 3; ++d) {
     now.velocity[d] = v[d];
-    now.acceleration[d] = force_on[d] ? force[d] / mass : 0.0;
-    now.torque[d] = torque_on[d] ? torque[d] : 0.0;
+    now.acceleration[d] = force_on[d] ? share * (force[d] / mass) : 0.0;
+    now.torque[d] = torque_on[d] ? share * torque[d] : 0.0;
   }
   rodpack::quaternion_rate(motion.quaternion, motion.angular_momentum, inertia,
                            now.quaternion_rate);

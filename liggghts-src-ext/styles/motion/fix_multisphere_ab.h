@@ -13,6 +13,7 @@ FixStyle(multisphere/ab,FixMultisphereAB)
 #include <memory>
 #include <vector>
 
+#include "contact_counts.h"
 #include "contact_events.h"
 #include "fix_multisphere.h"
 #include "multistep_options.h"
@@ -38,6 +39,7 @@ class FixMultisphereAB : public FixMultisphere {
   void pre_neighbor() override;
   void setup_pre_neighbor() override;
   void initial_integrate(int) override;
+  void setup(int) override;
   void pre_force(int) override;
   void final_integrate() override;
   void reset_dt() override;
@@ -53,9 +55,14 @@ class FixMultisphereAB : public FixMultisphere {
   /// Sets the bodies free that this fix moves, which is about to end.
   void set_free(const class FixMoveMultisphere* mover);
 
+  /// By how much the inertia of the body is larger at present than its mass says
+  /// (rodpack/motion/mass_scaling.h); 1 without mass scaling.
+  double inertia_factor(int body) const;
+
   // The planar engine takes bodies over and gives them back (fix_multisphere_ab_planar.cpp).
   int order() const { return order_; }
   bool planar() const { return planar_; }
+  double mass_scaling() const { return mass_scaling_; }  // 0: none
   bool follows_events() const { return events_ != NULL; }
   rodpack::PlanarBody to_planar(int body, const std::vector<int>& atoms);
   void begin_planar();
@@ -104,6 +111,8 @@ class FixMultisphereAB : public FixMultisphere {
   void read_jump(const std::vector<int>& atoms, rodpack::PlanarBody& planar);
   void publish_jump(int body, const std::vector<int>& atoms, const rodpack::PlanarBody& planar);
 
+  void sum_contact_weights();
+
   // Bodies whose motion is prescribed (fix_multisphere_ab_prescribed.cpp).
   void find_prescribed();
   void prescribe(int body, int by);
@@ -122,6 +131,8 @@ class FixMultisphereAB : public FixMultisphere {
   int order_;
   bool planar_;
   std::unique_ptr<ContactEvents> events_;              // none with `events no` or order 1
+  double mass_scaling_ = 0.0;                          // S of mass_scaling.h; 0: none
+  std::unique_ptr<ContactCounts> counts_;              // with mass scaling alone
   std::vector<int> changed_bodies_;                    // whose contacts had events in this step,
   std::vector<ContactEvents::SphereChanges> changes_;  // and the sum over these
   std::vector<int> place_;                             // of a body in both; -1: not there
@@ -137,6 +148,7 @@ class FixMultisphereAB : public FixMultisphere {
   bool spheres_lag_ = false;          // whether spheres do not know velocities that were prescribed
   ScalarContainer<int>* prescribed_;  // which of these moves the body, counted from 1; 0: none
   VectorContainer<double, 3>* planar_load_;  // force x, y, torque z; while bodies change their rank
+  ScalarContainer<double>* contact_weight_;  // of the present contacts; with mass scaling alone
   // Records of the past, oldest first. Short ones only with `planar yes`: with `planar auto` the
   // question is open until the run starts, and planar rates then fill the front of the long ones.
   std::vector<PlanarRecord*> past_planar_;

@@ -39,6 +39,8 @@ void FixMultisphereAB::apply_events() {
     BodyChange& sum = changes_[k].sum;
     mask(fflag_(body), sum.force);
     mask(tflag_(body), sum.torque);
+    sum.force *= 1.0 / inertia_factor(body);
+    sum.torque *= 1.0 / inertia_factor(body);
     jumps.push_back(planar_ ? correct_planar(body, sum) : correct_spatial(body, sum));
   }
   if (events_->jumped()) publish(jumps);

@@ -40,6 +40,12 @@ void FixMultisphereAB::add_history() {
   planar_load_ = properties.addElementProperty<VectorContainer<double, 3> >(
       "ab_planar_load", "comm_exchange_borders", "frame_invariant", "restart_no");
   planar_load_->setDefaultValue(0.0);
+  contact_weight_ = NULL;
+  if (mass_scaling_ > 0.0) {
+    contact_weight_ = properties.addElementProperty<ScalarContainer<double> >(
+        "ab_contact_weight", "comm_exchange_borders", "frame_invariant", "restart_no");
+    contact_weight_->setDefaultValue(0.0);
+  }
   prescribed_ = properties.addElementProperty<ScalarContainer<int> >(
       prescribed_motion, "comm_exchange_borders", "frame_invariant", "restart_no");
   prescribed_->setDefaultValue(0);

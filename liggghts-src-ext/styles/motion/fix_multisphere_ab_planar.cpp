@@ -49,6 +49,7 @@ PlanarBody FixMultisphereAB::to_planar(int body, const std::vector<int>& atoms) 
   planar.load[2] = torque_(body)[2];
   planar.missed_displacement[2] = missed.rotation[2];
   planar.missed_velocity[2] = missed.angular_momentum[2] / planar.moment;
+  if (contact_weight_) planar.contact_weight = contact_weight_->get(body);
   planar.evaluations = evaluations_->get(body);
   for (int k = 1; k < order_; ++k) planar.past[k - 1] = *planar_record(body, k);
   if (events_) read_jump(atoms, planar);
@@ -94,6 +95,7 @@ void FixMultisphereAB::from_planar(int body, const std::vector<int>& atoms,
   omega_(body)[2] = planar.velocity[2];
   angmom_(body)[2] = planar.moment * planar.velocity[2];
   torque_(body)[2] = planar.load[2];
+  if (contact_weight_) contact_weight_->set(body, planar.contact_weight);
   missed.rotation[2] = planar.missed_displacement[2];
   missed.angular_momentum[2] = planar.moment * planar.missed_velocity[2];
   evaluations_->set(body, is_prescribed(body) ? 0 : planar.evaluations);

@@ -9,12 +9,14 @@
 namespace LAMMPS_NS {
 
 /// Makes a fix property/atom of this name with `values` numbers per atom, 0 at first. `restart`,
-/// `ghosts`, `reverse`: "yes" or "no". `caller`: style of the fix that asks for it.
+/// `ghosts`, `reverse`: "yes" or "no". One number makes a vector_atom, more an array_atom.
+/// `caller`: style of the fix that asks for it.
 inline FixPropertyAtom* add_atom_property(Modify* modify, const std::string& name, int values,
                                           const char* restart, const char* ghosts,
                                           const char* reverse, const char* caller) {
-  std::vector<std::string> words = {name,     "all",   "property/atom", name,
-                                    "vector", restart, ghosts,          reverse};
+  std::vector<std::string> words = {
+      name,    "all",  "property/atom", name, values == 1 ? "scalar" : "vector",
+      restart, ghosts, reverse};
   words.resize(words.size() + values, "0.");
   std::vector<char*> arg;
   for (std::string& word : words) arg.push_back(&word[0]);

@@ -30,8 +30,8 @@ const struct {
                 {"step_over_limit", &BedRow::step_over_limit}};
 
 std::string header() {
-  std::vector<std::string> names = {"method", "timestep_s", "overlap", "normal_stiffness_N_m",
-                                    "planar", "seed",       "rods"};
+  std::vector<std::string> names = {"method", "timestep_s",   "overlap", "normal_stiffness_N_m",
+                                    "planar", "mass_scaling", "seed",    "rods"};
   for (const auto& measure : measures) names.emplace_back(measure.name);
   names.insert(names.end(), {"steps", "processor_s_per_step"});
   return csv_line(names);
@@ -47,8 +47,8 @@ bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b);
 
 bool BedModel::operator==(const BedModel& other) const {
   return method == other.method && planar == other.planar && engine == other.engine &&
-         close(step, other.step) && close(overlap, other.overlap) &&
-         close(stiffness, other.stiffness);
+         close(mass_scaling, other.mass_scaling) && close(step, other.step) &&
+         close(overlap, other.overlap) && close(stiffness, other.stiffness);
 }
 
 BedModel paper_model(bool engine) {
@@ -86,6 +86,25 @@ BedComparison frontier() {
       frontier.models.push_back(model);
     }
   return frontier;
+}
+
+/// Steps that only mass scaling allows, beside the longest one without and the paper's method.
+BedComparison economy() {
+  BedComparison economy{"economy", "What does mass scaling save?", {}};
+  const auto add = [&](const char* method, double factor, double mass_scaling) {
+    BedModel model;
+    model.method = method;
+    model.step = factor * paper_step;
+    model.engine = true;
+    model.mass_scaling = mass_scaling;
+    economy.models.push_back(model);
+  };
+  for (const double factor : {8, 6}) add("ab2", factor, 3);
+  for (const double factor : {8, 6, 5}) add("ab2", factor, 4);
+  for (const double factor : {6, 5}) add("ab2", factor, 5);
+  add("ab2", 3, 0);
+  economy.models.push_back(paper_model(true));
+  return economy;
 }
 
 std::vector<BedComparison> all_comparisons(const std::vector<std::string>& methods) {
@@ -138,6 +157,7 @@ std::vector<BedComparison> all_comparisons(const std::vector<std::string>& metho
     all.push_back(step);
   }
   all.push_back(frontier());
+  all.push_back(economy());
   return all;
 }
 
@@ -168,9 +188,14 @@ std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& metho
 
 std::string bed_row_text(const BedRow& row) {
   const auto& m = row.model;
-  std::vector<std::string> fields = {
-      m.method,       number_text(m.step),      number_text(m.overlap),  number_text(m.stiffness),
-      motion_text(m), std::to_string(row.seed), std::to_string(row.rods)};
+  std::vector<std::string> fields = {m.method,
+                                     number_text(m.step),
+                                     number_text(m.overlap),
+                                     number_text(m.stiffness),
+                                     motion_text(m),
+                                     number_text(m.mass_scaling),
+                                     std::to_string(row.seed),
+                                     std::to_string(row.rods)};
   for (const auto& measure : measures) fields.push_back(number_text(row.*measure.value));
   fields.push_back(number_text(static_cast<double>(row.steps)));
   fields.push_back(number_text(row.seconds_per_step));
@@ -182,6 +207,7 @@ std::vector<BedRow> read_bed_rows(const std::string& file) {
   const auto &method = table.words("method"), &motion = table.words("planar");
   const auto &step = table.column("timestep_s"), &overlap = table.column("overlap"),
              &stiffness = table.column("normal_stiffness_N_m"),
+             &mass_scaling = table.column("mass_scaling"),
              &seconds_per_step = table.column("processor_s_per_step");
   const auto seed = table.whole_numbers("seed"), rods = table.whole_numbers("rods"),
              steps_taken = table.whole_numbers("steps");
@@ -189,8 +215,9 @@ std::vector<BedRow> read_bed_rows(const std::string& file) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (motion[i] != "yes" && motion[i] != "no" && motion[i] != "engine")
       table.refuse(i, "planar", "yes, no or engine");
-    rows[i].model = {method[i],    step[i],           overlap[i],
-                     stiffness[i], motion[i] != "no", motion[i] == "engine"};
+    rows[i].model = {method[i],      step[i],           overlap[i],
+                     stiffness[i],   motion[i] != "no", motion[i] == "engine",
+                     mass_scaling[i]};
     rows[i].seed = static_cast<int>(seed[i]);
     rows[i].rods = static_cast<int>(rods[i]);
     rows[i].steps = steps_taken[i];

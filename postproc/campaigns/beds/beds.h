@@ -22,6 +22,7 @@ struct BedModel {
   double stiffness = 2000;      // N/m, normal, of one particle; tangential: half of it
   bool planar = true;           // motion in the plane only; builtin: false, it has no such thing
   bool engine = false;          // by run_style verlet/planar
+  double mass_scaling = 0;      // S of rodpack/motion/mass_scaling.h; 0: none
 
   bool operator==(const BedModel& other) const;
 };
@@ -61,7 +62,8 @@ struct BedComparison {
   bool by_engine() const;  // all of them
 };
 /// Lists the comparisons surface, planar, engine, stiffness, a `step_METHOD` for each of `methods`,
-/// and frontier; those of `only`, if it names any. @throws DataError for a name that is none.
+/// frontier and economy; those of `only`, if it names any. @throws DataError for a name that is
+/// none.
 std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
                                            const std::vector<std::string>& only = {});
 

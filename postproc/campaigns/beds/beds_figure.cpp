@@ -150,25 +150,36 @@ std::vector<Panel> quantity_panels() {
 }
 
 /// Results against cost: a curve for each method, along its steps.
+/// Method of a model and, if it has mass scaling, S.
+std::string look_of(const BedModel& model) {
+  if (!(model.mass_scaling > 0)) return model.method;
+  return model.method + ", {/:Italic S} = " + number_text(model.mass_scaling);
+}
+
+std::string colour_of(const BedModel& model) {
+  if (!(model.mass_scaling > 0)) return accuracy_colour(model.method);
+  return model.mass_scaling < 4 ? "#CC79A7" : model.mass_scaling < 5 ? "#E69F00" : "#56B4E9";
+}
+
 void draw_frontier(const std::vector<BedRow>& rows, const BedComparison& comparison, int rods,
                    const std::string& folder) {
   const double base = bed_cost(rows, paper_model(comparison.by_engine()));
   if (!(base > 0)) return;
   const auto x = [&](const BedModel& model) { return bed_cost(rows, model) / base; };
   const int points[] = {5, 7, 9, 11, 13};
-  std::vector<std::string> methods;
+  std::vector<std::string> looks;
   for (const auto& model : comparison.models)
-    if (methods.empty() || methods.back() != model.method) methods.push_back(model.method);
+    if (looks.empty() || looks.back() != look_of(model)) looks.push_back(look_of(model));
   std::vector<Panel> panels = quantity_panels();
-  for (std::size_t m = 0; m < methods.size(); ++m) {
+  for (std::size_t m = 0; m < looks.size(); ++m) {
     std::vector<BedModel> models;
     for (const auto& model : comparison.models)
-      if (model.method == methods[m]) models.push_back(model);
+      if (look_of(model) == looks[m]) models.push_back(model);
     for (std::size_t q = 0; q < panels.size(); ++q)
       panels[q].curves.push_back(named(curve(rows, models, rods, x, bed_quantities()[q].value),
-                                       methods[m], accuracy_colour(methods[m]), points[m % 5]));
+                                       looks[m], colour_of(models.front()), points[m % 5]));
   }
-  draw_panels(folder + "/beds_frontier", "cost (1: ab3e at 11 µs)",
+  draw_panels(folder + "/beds_" + comparison.name, "cost (1: ab3e at 11 µs)",
               "set logscale x 2\nset xrange [*:*]\n", panels);
 }
 
@@ -256,7 +267,8 @@ void draw_beds(const std::vector<BedRow>& rows, const AccuracySettings& settings
   for (const auto& comparison : comparisons) {
     if (comparison.name == "surface") draw_surface(rows, comparison.models, rods, folder);
     if (comparison.name == "stiffness") draw_stiffness(rows, comparison.models, rods, folder);
-    if (comparison.name == "frontier") draw_frontier(rows, comparison, rods, folder);
+    if (comparison.name == "frontier" || comparison.name == "economy")
+      draw_frontier(rows, comparison, rods, folder);
   }
   const bool steps = std::any_of(
       comparisons.begin(), comparisons.end(),

@@ -35,10 +35,13 @@ int spheres(double overlap) {
 std::string microseconds(double step) { return number_text(1e6 * step, 3); }
 
 std::string integrator(const BedModel& model) {
-  return model.method + (model.method == "builtin" ? ""
-                         : model.engine            ? " engine"
-                         : model.planar            ? " planar"
-                                                   : " 3D");
+  const std::string scaling =
+      model.mass_scaling > 0 ? ", mass scaling " + number_text(model.mass_scaling) : "";
+  return model.method + scaling +
+         (model.method == "builtin" ? ""
+          : model.engine            ? " engine"
+          : model.planar            ? " planar"
+                                    : " 3D");
 }
 
 std::string bodies(const BedModel& model) {

@@ -109,11 +109,14 @@ BedRow run_bed(const AccuracySettings& settings, const std::string& folder, cons
   row.seed = seed;
   row.steps = std::lround(scene.duration() / model.step);
   const std::string integrator = accuracy_method(model.method).integrator;
+  const std::string scaling =
+      model.mass_scaling > 0 ? " mass_scaling " + number_text(model.mass_scaling, 17) : "";
   const double before = processor_time_of_runs();
   run_accuracy_deck(settings, folder, "in.bed",
-                    {{"integrator", integrator + (model.method == "builtin" ? ""
-                                                  : model.planar            ? " planar yes"
-                                                                            : " planar no")},
+                    {{"integrator", integrator + scaling +
+                                        (model.method == "builtin" ? ""
+                                         : model.planar            ? " planar yes"
+                                                                   : " planar no")},
                      {"dt", number_text(model.step, 17)},
                      {"steps", std::to_string(row.steps)},
                      {"width", number_text(scene.width(), 17)},

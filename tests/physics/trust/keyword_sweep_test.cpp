@@ -90,6 +90,11 @@ std::vector<Scene> scenes() {
       {"run_folder", "", "run_folder open run dumps", ""},
       {"run_folder", "run_folder open run\n", "run_folder resume run in.deck", ""},
       {"run_folder", "", "run_folder write result.json {}", ""},
+      {"stable_timestep", "",
+       "stable_timestep step order 2 mass_scaling 3 stiffness 1000 damping_ratio 0.2 aspect_ratio "
+       "5 "
+       "diameter 3e-3 density 2500",
+       ""},
       {"run_style_verlet_planar",
        rods + motion + "fix plane all enforce2d/multisphere\nfix in all " + lines + "\n",
        "run_style verlet/planar", "run 20"},

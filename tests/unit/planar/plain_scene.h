@@ -24,7 +24,8 @@ class PlainScene {
       : settings_(settings),
         start_(start),
         past_(start.size(), std::vector<PlanarRates>(settings.order)),
-        loads_(start.size()) {
+        loads_(start.size()),
+        factors_(start.size(), 1) {
     for (const PlanarBody& body : start) {
       const double angle = std::atan2(body.sine, body.cosine);
       motions_.push_back({{body.position[0], body.position[1]},
@@ -45,6 +46,8 @@ class PlainScene {
   const PlanarMotion& motion(int body) const { return motions_[body]; }
   /// The number of contacts that there have been.
   std::size_t touched() const { return histories_.size(); }
+  /// By how much the inertia of a body has grown at most.
+  double largest_factor() const { return largest_factor_; }
 
  private:
   using Vector = std::array<double, 2>;
@@ -92,14 +95,16 @@ class PlainScene {
     std::rotate(past.begin(), past.begin() + 1, past.end());
     past.back() = {{motion.velocity[0], motion.velocity[1]},
                    motion.angular_velocity,
-                   {loads_[b][0] / body.mass, loads_[b][1] / body.mass},
-                   loads_[b][2] / body.moment};
+                   {loads_[b][0] / body.mass / factors_[b], loads_[b][1] / body.mass / factors_[b]},
+                   loads_[b][2] / body.moment / factors_[b]};
     if (step == 1) fill_kinematic_history(past.data(), order, settings_.dt);
     advance(motion, past.data(), order, std::min(step, order + 1), settings_.dt);
   }
 
   void evaluate(int step) {
     const int bodies = static_cast<int>(start_.size());
+    std::vector<double> weights(start_.size());
+    weights_.swap(weights);
     for (int b = 0; b < bodies; ++b) loads_[b] = {0, settings_.gravity[1] * start_[b].mass, 0};
     for (int i = 0; i < bodies; ++i)
       for (int a = 0; a < static_cast<int>(start_[i].spheres.size()); ++a) {
@@ -109,6 +114,20 @@ class PlainScene {
           for (int b = 0; b < static_cast<int>(start_[j].spheres.size()); ++b)
             evaluate_pair({i, a, j, b}, step);
       }
+    for (int b = 0; b < bodies; ++b) {
+      factors_[b] = 1;
+      const double stiff = settings_.mass_scaling * settings_.mass_scaling;
+      if (stiff > 0 && weights_[b] > stiff) factors_[b] = weights_[b] / stiff;
+      largest_factor_ = std::max(largest_factor_, factors_[b]);
+    }
+  }
+
+  /// Mass scaling: m (1/m + (a^2 + R^2) / I) for a contact of a sphere a from the centre of mass.
+  void count(int b, int sphere) {
+    const PlanarBody& body = start_[b];
+    const PlanarSphere& at = body.spheres[sphere];
+    const double square = at.x * at.x + at.y * at.y + body.radius * body.radius;
+    weights_[b] += body.mass * (1 / body.mass + square / body.moment);
   }
 
   void evaluate_wall(int i, int a, int w, int step) {
@@ -211,6 +230,8 @@ class PlainScene {
     const Vector& n = contact.normal;
     const Vector force = {normal.total * n[0] - tangential[0] * n[1],
                           normal.total * n[1] + tangential[0] * n[0]};
+    count(contact.key[0], contact.key[1]);
+    if (contact.key[2] >= 0) count(contact.key[2], contact.key[3]);
     add_load(contact.key[0], contact.lever_i, force, 1.0);
     if (contact.key[2] >= 0) add_load(contact.key[2], contact.lever_j, force, -1.0);
   }
@@ -227,6 +248,8 @@ class PlainScene {
   std::vector<std::vector<PlanarRates>> past_;
   std::vector<std::array<double, 3>> loads_;
   std::map<Key, History> histories_;
+  std::vector<double> weights_, factors_;  // of mass scaling
+  double largest_factor_ = 1;
 };
 
 }  // namespace rodpack

@@ -201,20 +201,26 @@ TEST(PlanarScene, AnAngleBeyondAllNumbersEnds) {
   EXPECT_EQ(scene.run(3), 3);
 }
 
-// Orders, and both caps of friction.
+// Orders, both caps of friction, and mass scaling.
 TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
-  for (const auto& method : {std::make_pair(1, false), std::make_pair(2, true),
-                             std::make_pair(3, false), std::make_pair(4, true)}) {
-    const int order = method.first;
+  const struct {
+    int order;
+    bool total_force_cap;
+    double mass_scaling;
+  } methods[] = {{1, false, 0}, {2, true, 0}, {3, false, 0}, {4, true, 0}, {2, false, 1.2}};
+  for (const auto& method : methods) {
+    const int order = method.order;
     PlanarSettings settings = box(5);
     settings.order = order;
-    settings.total_force_cap = method.second;
+    settings.total_force_cap = method.total_force_cap;
+    settings.mass_scaling = method.mass_scaling;
     settings.events = false;
     const std::vector<PlanarBody> start = heap(9, 5);
     const int steps = 4000;
     PlainScene plain(settings, start);
     plain.run(steps);
     ASSERT_GT(plain.touched(), 12u);
+    if (method.mass_scaling > 0) ASSERT_GT(plain.largest_factor(), 3);
     PlanarScene scene(settings, start);
     scene.evaluate();
     scene.run(steps);
@@ -227,6 +233,26 @@ TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
       }
       EXPECT_NEAR(body.velocity[2], expected.angular_velocity, 1e-6) << order << ' ' << b;
     }
+  }
+}
+
+// A rod's end strikes another rod: a contact or two, of weight 3 at most each, below S^2. Under a
+// scaling that these contacts reach they rebound otherwise.
+TEST(PlanarScene, MassScalingLeavesFreeCollisionsAsTheyAre) {
+  for (const bool events : {false, true}) {
+    const auto after = [&](double mass_scaling) {
+      PlanarSettings settings = settings_of();
+      settings.order = 2;
+      settings.events = events;
+      settings.mass_scaling = mass_scaling;
+      PlanarScene scene(settings,
+                        {rod(5, 0, 0, 0.1), moving(rod(5, 2e-3, 9.1e-3, 1.5), 0.1, -0.5, 3)});
+      scene.evaluate();
+      scene.run(500);
+      return state_of(scene);
+    };
+    EXPECT_EQ(difference(after(4), after(0)), 0) << events;
+    EXPECT_GT(difference(after(1), after(0)), 1e-3) << events;
   }
 }
 
@@ -245,6 +271,7 @@ TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
       settings.events = events;
       settings.order = order;
       settings.total_force_cap = order == 4;
+      settings.mass_scaling = order == 2 ? 1.5 : 0.0;
       settings.slots = 4;
       std::vector<PlanarBody> start = heap(23, 5, 2.0);
       const double middle = 0.5 * settings.walls[2].position;

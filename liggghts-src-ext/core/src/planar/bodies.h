@@ -9,6 +9,7 @@
 #include "contact.h"
 #include "../planar_simd/arguments.h"
 #include "parts.h"
+#include "rodpack/motion/mass_scaling.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {
@@ -62,11 +63,17 @@ class PlanarBodyStates {
   /// Corrects the past of bodies whose contacts had events in the step before `step`, and keeps the
   /// motion that they have missed.
   void apply_events(int part, long step, PlanarEvents& events);
-  /// Sets the loads to the weights of the bodies.
+  /// Sets the loads to the weights of the bodies, as if they had no contacts.
   void begin_loads();
 
   /// Sets what the SIMD loop needs of the bodies to add the forces of contacts to their loads.
   void set_arguments(PlanarForceArguments& arguments);
+  /// Counts a contact of a body at the offset `offset` (m, in its frame) of one of its spheres.
+  void add_contact(int body, const double (&offset)[2]) {
+    if (settings_.mass_scaling > 0.0)
+      weight_sums_[body] += ContactWeight{weights_[body].base, weights_[body].per_square}.at(
+          offset[0] * offset[0] + offset[1] * offset[1]);
+  }
   /// Adds a force, N, and a torque about the centre of mass, N m, to the load on a body.
   void add_load(int body, Vector2<double> force, double torque) {
     double* const load = loads_[body].d;
@@ -91,6 +98,8 @@ class PlanarBodyStates {
   void add(int body, const PlanarBody& from);
   void set_info(int body, const PlanarBody& from);
   void make_missed_motion(int body);
+  /// By how much the body answers to forces less than its inertia says (mass_scaling.h); <= 1.
+  double answer(int body) const;
   PlanarAdvanceArguments arguments(int part, long step);
   void fill_past(int body, long step);
   /// Index into past_velocity and past_acceleration, ring buffers, of the rates k + 1 steps back.
@@ -106,6 +115,9 @@ class PlanarBodyStates {
   AlignedVector<PlanarVector> inertia_;  // 1/mass, 1/mass, 1/moment (0 if prescribed), mass
   AlignedVector<PlanarVector> past_velocity_[max_multistep_order - 1];
   AlignedVector<PlanarVector> past_acceleration_[max_multistep_order - 1];
+  // With mass scaling alone: of a contact of each body, and the sum over its present ones.
+  std::vector<PlanarWeight> weights_;
+  std::vector<double> weight_sums_;
   std::vector<std::int8_t> evaluations_;
   AlignedVector<PlanarVector> missed_displacement_, missed_velocity_;
   std::vector<std::vector<int>> missed_;   // bodies of each part with missed motion

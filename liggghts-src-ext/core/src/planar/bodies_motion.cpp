@@ -22,15 +22,20 @@ void PlanarBodyStates::make_missed_motion(int body) {
   displacement = velocity = PlanarVector();
 }
 
+double PlanarBodyStates::answer(int body) const {
+  if (!(settings_.mass_scaling > 0.0)) return 1.0;
+  return 1.0 / inertia_factor(weight_sums_[body], settings_.mass_scaling);
+}
+
 /// Gives a body that has not moved yet the past of constant acceleration that
 /// fill_kinematic_history() in rigid_motion.h derives.
 void PlanarBodyStates::fill_past(int body, long step) {
   for (int k = 0; k < settings_.order - 1; ++k) {
     past_acceleration_[past(k, step)][body] = PlanarVector();
     for (int d = 0; d < 3; ++d)
-      past_velocity_[past(k, step)][body].d[d] =
-          velocity_before_birth(kinematics_[body].velocity[d],
-                                inertia_[body].d[d] * loads_[body].d[d], (k + 1) * settings_.dt);
+      past_velocity_[past(k, step)][body].d[d] = velocity_before_birth(
+          kinematics_[body].velocity[d], answer(body) * inertia_[body].d[d] * loads_[body].d[d],
+          (k + 1) * settings_.dt);
   }
 }
 
@@ -61,6 +66,10 @@ PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
   arguments.loads = loads_.data();
   arguments.gravity = {{settings_.gravity[0], settings_.gravity[1], 0.0, 0.0}};
   arguments.inertia = inertia_.data();
+  if (settings_.mass_scaling > 0.0) {
+    arguments.weight_sums = weight_sums_.data();
+    arguments.inverse_square_scaling = 1.0 / (settings_.mass_scaling * settings_.mass_scaling);
+  }
   for (int k = 0; k < order - 1; ++k) {
     arguments.past_velocity[k] = past_velocity_[past(k, step)].data();
     arguments.past_acceleration[k] = past_acceleration_[past(k, step)].data();
@@ -78,10 +87,14 @@ PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
 void PlanarBodyStates::set_arguments(PlanarForceArguments& arguments) {
   arguments.kinematics = kinematics_.data();
   arguments.loads = loads_.data();
+  if (!(settings_.mass_scaling > 0.0)) return;
+  arguments.weights = weights_.data();
+  arguments.weight_sums = weight_sums_.data();
 }
 
 void PlanarBodyStates::begin_loads() {
   std::fill(loads_.begin(), loads_.end(), PlanarVector());
+  std::fill(weight_sums_.begin(), weight_sums_.end(), 0.0);
   for (int b = 0; b < owned(); ++b)
     for (int d = 0; d < 2; ++d) loads_[b].d[d] = inertia_[b].d[3] * settings_.gravity[d];
 }
@@ -94,8 +107,9 @@ void PlanarBodyStates::apply_events(int part, long step, PlanarEvents& events) {
     const int b = change.body;
     if (b >= owned()) continue;  // its own rank sees all of its contacts
     typedef KnownInverse<double> Inverse;
-    const PlanarCorrection<Inverse> correction = {Inverse{inertia_[b].d[0]},
-                                                  Inverse{inertia_[b].d[2]}};
+    const double share = answer(b);
+    const PlanarCorrection<Inverse> correction = {Inverse{share * inertia_[b].d[0]},
+                                                  Inverse{share * inertia_[b].d[2]}};
     PlanarJump jump = correction.missed(change.sum);
     jump.cosine = kinematics_[b].cosine;
     jump.sine = kinematics_[b].sine;

@@ -128,7 +128,9 @@ void PlanarForceEvaluator::apply(const PlanarContact& contact, double normal,
   const Vector2<double> force = {normal * contact.en[0] + tangential[0],
                                  normal * contact.en[1] + tangential[1]};
   bodies_.add_load(contact.body_i, force, cross_z(contact.lever_i(), force));
+  bodies_.add_contact(contact.body_i, contact.offset_i);
   if (contact.is_wall) return;
+  bodies_.add_contact(contact.body_j, contact.offset_j);
   bodies_.add_load(contact.body_j, {-force.x, -force.y}, -cross_z(contact.lever_j(), force));
 }
 

@@ -34,6 +34,8 @@ void require(bool holds, const std::string& name, double value, const char* expe
 void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
   require(s.order >= 1 && s.order <= max_multistep_order, "order", s.order, "1, 2, 3 or 4");
   require(s.slots >= 1 && s.slots <= max_multistep_order, "slots", s.slots, "1, 2, 3 or 4");
+  require(s.mass_scaling == 0.0 || s.mass_scaling >= 1.0, "mass_scaling", s.mass_scaling,
+          "0 or a number >= 1");
   require(s.dt > 0.0, "time step", s.dt, "a step > 0 (s)");
   require(s.types >= 1 && s.laws.size() == static_cast<std::size_t>(s.types) * s.types,
           "number of laws", static_cast<double>(s.laws.size()), "one for every pair of types");

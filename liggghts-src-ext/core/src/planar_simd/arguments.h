@@ -31,6 +31,11 @@ struct PlanarWallLine {
   double along_x, along_y, position, free_side;
 };
 
+/// Weight of a body's contacts (ContactWeight in mass_scaling.h).
+struct alignas(16) PlanarWeight {
+  double base, per_square;
+};
+
 /// Arguments of the loops over blocks, which evaluate the contacts on the fast path.
 struct PlanarForceArguments {
   // Blocks, their numbers (block_layout.h) and the indices of their constants.
@@ -48,7 +53,10 @@ struct PlanarForceArguments {
   const PlanarKinematics* kinematics;
   const double* moved;  // since their reference position, an upper bound, m
   PlanarVector* loads;  // the forces are added to them
-  const char* jumped;   // whether a body had an event in the step before; null: none had
+  // Weights of a contact of each body, and what they are added to; null without mass scaling.
+  const PlanarWeight* weights;
+  double* weight_sums;
+  const char* jumped;  // whether a body had an event in the step before; null: none had
   // The contact law.
   const PlanarLawConstants* laws;
   bool one_law;
@@ -110,6 +118,8 @@ struct PlanarAdvanceArguments {
   PlanarVector* loads;   // become the weights, to which the forces of the next step are added
   PlanarVector gravity;  // m/s^2
   const PlanarVector* inertia;  // 1/mass, 1/mass, 1/moment, mass
+  double* weight_sums;          // of the contacts of each body, become 0; null without mass scaling
+  double inverse_square_scaling;  // 1/S^2 of mass_scaling.h
   PlanarVector *past_velocity[max_multistep_order], *past_acceleration[max_multistep_order];
   signed char* evaluations;
   double velocity_weights[max_multistep_order];

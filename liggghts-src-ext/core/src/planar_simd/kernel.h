@@ -48,6 +48,7 @@ inline void set_velocities(LaneMotion& motion, Vector2<Lanes> relative) {
 struct LaneForces {
   Lanes normal, tangential;
   int general;  // lanes that need the general path after all
+  int acts;     // the others
 };
 
 /// Sets the constants of the contacts of the blocks from `first` on.
@@ -95,6 +96,7 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
     result.general = lane_bits(force.changes & acts);
     acts = acts & ~force.changes;
   }
+  result.acts = lasting & ~result.general;
   result.normal = lane_choice(acts, force.normal, zero);
   result.tangential = lane_choice(acts, force.tangential, zero);
   keep_lanes(acts, values + planar_spring, force.spring);
@@ -142,6 +144,23 @@ inline int undisturbed(const PlanarBlockHead* heads, const PlanarForceArguments&
     if (forces.jumped[heads[b].i] | (heads[b].j >= 0 && forces.jumped[heads[b].j]))
       lanes &= ~(all_of_block << b * planar_lanes);
   return lanes;
+}
+
+/// Sums up the weights of the contacts `acts` of a register, for one of the two bodies of each
+/// block, in whose frame the spheres lie at x and y.
+inline void add_weights(int acts, const double* x, const double* y, const int (&body)[lane_blocks],
+                        const PlanarForceArguments& forces) {
+  const double* weights[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) weights[b] = &forces.weights[body[b]].base;
+  Lanes base, per_square;
+  each_two(weights, 0, base, per_square);
+  const Lanes along = load_lanes(x), across = load_lanes(y);
+  alignas(64) double each[lane_blocks * planar_lanes];
+  store_lanes(
+      each, lane_choice(lanes_of_bits(acts), base + per_square * (along * along + across * across),
+                        all_lanes(0.0)));
+  for (int b = 0; b < lane_blocks; ++b)
+    forces.weight_sums[body[b]] += each[planar_lanes * b] + each[planar_lanes * b + 1];
 }
 
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
@@ -197,6 +216,15 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   const Vector2<Lanes> on_i = in_space(motion.normal, force.normal, force.tangential);
   add_loads(on_i.x, on_i.y, cross_z(motion.lever_i, on_i), cross_z(motion.lever_j, on_i), load_i,
             load_j);
+  if (forces.weights) {
+    int i[lane_blocks], j[lane_blocks];
+    for (int b = 0; b < lane_blocks; ++b) {
+      i[b] = heads[b].i;
+      j[b] = heads[b].j;
+    }
+    add_weights(force.acts, values + planar_xi, values + planar_yi, i, forces);
+    add_weights(force.acts, values + planar_xj, values + planar_yj, j, forces);
+  }
   return general | force.general;
 }
 

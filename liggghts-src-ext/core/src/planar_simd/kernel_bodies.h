@@ -49,6 +49,11 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
     load_of_wall[b] = on_walls.d;
   }
   add_loads(on_body.x, on_body.y, cross_z(motion.lever_i, on_body), zero, load, load_of_wall);
+  if (forces.weights) {
+    int i[lane_blocks];
+    for (int b = 0; b < lane_blocks; ++b) i[b] = heads[b].i;
+    add_weights(force.acts, values + planar_xi, values + planar_yi, i, forces);
+  }
   return general | force.general;
 }
 
@@ -73,7 +78,12 @@ inline Lanes advance_velocity(const PlanarAdvanceArguments& arguments, int body,
                                                     arguments.kinematics[body].velocity;
   const Lanes v = load_lanes(velocity);
   const double* const inertia = arguments.inertia[body].d;
-  const Lanes a = load_lanes(load) * load_lanes(inertia);
+  Lanes a = load_lanes(load) * load_lanes(inertia);
+  if (arguments.weight_sums) {
+    const double factor = arguments.weight_sums[body] * arguments.inverse_square_scaling;
+    if (factor > 1.0) a = (1.0 / factor) * a;
+    arguments.weight_sums[body] = 0.0;
+  }
   store_lanes(load, all_lanes(inertia[3]) * load_lanes(arguments.gravity.d));
   Lanes dx = arguments.velocity_weights[0] * v, dv = of_force[0] * a;
   for (int k = 0; k < order - 1; ++k) {

@@ -49,6 +49,7 @@ struct PlanarSettings {
   /// Friction up to mu times the whole normal force, dashpot included, in place of mu k_n times the
   /// overlap (friction_cap.h).
   bool total_force_cap = false;
+  double mass_scaling = 0.0;  // S of mass_scaling.h, >= 1; 0: none
   double gravity[2] = {0.0, 0.0};
   int types = 1;
   std::vector<PlanarLaw> laws;  // types x types, row by row, symmetric
@@ -79,6 +80,7 @@ struct PlanarBody {
   double cosine = 1.0, sine = 0.0;
   double velocity[3] = {0.0, 0.0, 0.0};
   double load[3] = {0.0, 0.0, 0.0};  // force and torque of the last evaluation, gravity included
+  double contact_weight = 0.0;  // of its contacts then (mass_scaling.h); 0 without mass scaling
   /// Evaluations of its forces since its birth, at most order + 1; 0: it has not moved yet, and its
   /// past follows from its load.
   int evaluations = 0;
