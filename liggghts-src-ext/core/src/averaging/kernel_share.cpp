@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "../pi.h"
+#include "rodpack/geometry/pi.h"
 
 namespace rodpack {
 
