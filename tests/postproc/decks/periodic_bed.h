@@ -43,8 +43,9 @@ struct PeriodicBed {
     const double area = length * diameter - (1 - std::acos(-1.0) / 4) * diameter * diameter;
     for (std::size_t i = 0; i < x.size(); ++i)
       rows << i + 1 << ' ' << 1 + i % 2 << " 9 " << moved(i, shift) << ' ' << y[i] << " 0 "
-           << angle[i] << " 0.1 0.2 0 0 0 0 1 0 0 0 " << length / 2 << ' ' << diameter / 2 << " 0 "
-           << area << " 2e-4\n";
+           << angle[i] << ' ' << 0.1 * std::sin(13.0 * i) << ' ' << 0.1 * std::cos(7.0 * i)
+           << " 0 0 0 0 1 0 0 0 " << length / 2 << ' ' << diameter / 2 << " 0 " << area
+           << " 2e-4\n";
     return written(folder / "bodies.7.dump",
                    frame_head(7, x.size(), width, 1,
                               "id type nspheres x y z angle vx vy vz omegax omegay omegaz qw qx qy "
