@@ -55,6 +55,20 @@ void draw(const RenderArguments& options) {
   std::cout << "written: " << options.stem << ".png .svg\n";
 }
 
+void add_view_options(CLI::App& command, RenderArguments& options) {
+  command
+      .add_option("--azimuth", options.azimuth,
+                  "in space: where it is seen from, degrees about the vertical, from the next axis "
+                  "in the order x, y, z, x towards the one after [default: 30]")
+      ->check(number(-360, 360))
+      ->type_name("DEG");
+  command
+      .add_option("--elevation", options.elevation,
+                  "in space: the same above the horizontal, degrees [default: 15]")
+      ->check(number(-89, 89))
+      ->type_name("DEG");
+}
+
 }  // namespace
 
 void add_render(CLI::App& app) {
@@ -84,9 +98,7 @@ void add_render(CLI::App& app) {
           [options, colours](const std::string& name) { options->colour = colours.at(name); },
           "force: magnitude of the net contact force on the sphere; fsum: sum of the "
           "magnitudes of its contact forces, in space of all its particle's; orientation: of the "
-          "particle's long axis, in space "
-          "its "
-          "angle to the vertical; none")
+          "particle's long axis, in space its angle to the vertical; none")
       ->check(one_of(names))
       ->default_str("force, in space fsum")
       ->type_name("NAME");
@@ -110,18 +122,7 @@ void add_render(CLI::App& app) {
                    "1400]")
       ->check(whole_number(100, 20000))
       ->type_name("N");
-  command
-      ->add_option(
-          "--azimuth", options->azimuth,
-          "in space: where it is seen from, degrees about the vertical, from the next axis "
-          "in the order x, y, z, x towards the one after [default: 30]")
-      ->check(number(-360, 360))
-      ->type_name("DEG");
-  command
-      ->add_option("--elevation", options->elevation,
-                   "in space: the same above the horizontal, degrees [default: 15]")
-      ->check(number(-89, 89))
-      ->type_name("DEG");
+  add_view_options(*command, *options);
   add_packing_options(*command, options->input);
   add_space_options(*command, options->input);
   add_output(*command, options->stem);
