@@ -22,6 +22,7 @@ struct RenderArguments {
   RenderOptions render;
   std::vector<double> window;
   std::optional<double> largest;
+  std::optional<SphereColour> colour;
   std::optional<double> azimuth, elevation;
   bool in_diameters = false;
   std::string stem = "packing";
@@ -31,7 +32,9 @@ void draw(const RenderArguments& options) {
   auto render = options.render;
   render.packing = options.input.packing;
   render.largest = options.largest;
-  if (options.input.is_in_space()) {
+  const bool in_space = options.input.is_in_space();
+  render.colour = options.colour.value_or(in_space ? SphereColour::fsum : SphereColour::force);
+  if (in_space) {
     render.space = options.input.space;
     render.azimuth = options.azimuth.value_or(render.azimuth);
     render.elevation = options.elevation.value_or(render.elevation);
@@ -50,6 +53,20 @@ void draw(const RenderArguments& options) {
     render_spheres(frame, render, options.stem);
   });
   std::cout << "written: " << options.stem << ".png .svg\n";
+}
+
+void add_view_options(CLI::App& command, RenderArguments& options) {
+  command
+      .add_option("--azimuth", options.azimuth,
+                  "in space: where it is seen from, degrees about the vertical, from the next axis "
+                  "in the order x, y, z, x towards the one after [default: 30]")
+      ->check(number(-360, 360))
+      ->type_name("DEG");
+  command
+      .add_option("--elevation", options.elevation,
+                  "in space: the same above the horizontal, degrees [default: 15]")
+      ->check(number(-89, 89))
+      ->type_name("DEG");
 }
 
 }  // namespace
@@ -78,15 +95,12 @@ void add_render(CLI::App& app) {
   command
       ->add_option_function<std::string>(
           "--colour,--color",
-          [options, colours](const std::string& name) {
-            options->render.colour = colours.at(name);
-          },
+          [options, colours](const std::string& name) { options->colour = colours.at(name); },
           "force: magnitude of the net contact force on the sphere; fsum: sum of the "
-          "magnitudes of its contact forces; orientation: of the particle's long axis, in space "
-          "its "
-          "angle to the vertical; none")
+          "magnitudes of its contact forces, in space of all its particle's; orientation: of the "
+          "particle's long axis, in space its angle to the vertical; none")
       ->check(one_of(names))
-      ->default_str("force")
+      ->default_str("force, in space fsum")
       ->type_name("NAME");
   command
       ->add_option("--window", options->window,
@@ -108,18 +122,7 @@ void add_render(CLI::App& app) {
                    "1400]")
       ->check(whole_number(100, 20000))
       ->type_name("N");
-  command
-      ->add_option(
-          "--azimuth", options->azimuth,
-          "in space: where it is seen from, degrees about the vertical, from the next axis "
-          "in the order x, y, z, x towards the one after [default: 30]")
-      ->check(number(-360, 360))
-      ->type_name("DEG");
-  command
-      ->add_option("--elevation", options->elevation,
-                   "in space: the same above the horizontal, degrees [default: 15]")
-      ->check(number(-89, 89))
-      ->type_name("DEG");
+  add_view_options(*command, *options);
   add_packing_options(*command, options->input);
   add_space_options(*command, options->input);
   add_output(*command, options->stem);

@@ -89,7 +89,8 @@ const std::vector<FigureText>& space_figures() {
       " Crosses: principal values and directions of the stress within the section.";
   static const std::vector<FigureText> texts{
       {"packing", "The packing",
-       "In perspective. Each sphere is shaded by the magnitude of the net contact force on it.",
+       "In perspective. Each particle is shaded by the sum of the magnitudes of all contact forces "
+       "on it.",
        true},
       {"solid_fraction_map", "Solid fraction " + upright, hatched, false},
       {"solid_fraction_map_across", "Solid fraction " + level, hatched, false},

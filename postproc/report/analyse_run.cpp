@@ -258,6 +258,7 @@ class Analysis {
     if (!files_.spheres->has("fx")) render.colour = SphereColour::none;
     const auto stem = (out_ / "packing").string();
     if (packing_) return render_spheres(*files_.spheres, render, stem);
+    if (files_.spheres->has("fsum")) render.colour = SphereColour::fsum;
     try {
       render_in_space(*files_.spheres, render, stem);
     } catch (const NoRayTracer& reason) {

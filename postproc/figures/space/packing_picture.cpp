@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include "analysis/long_axis.h"
 #include "figures/drawing.h"
@@ -112,11 +113,25 @@ void add_spheres(const Frame& spheres, const TracedBed& bed, const Camera& camer
               bed.radius[joint.sphere] / 2, shade(joint.sphere));
 }
 
+// Of all contact forces on the particle that each sphere is of: in one shade it keeps apart from
+// others.
+std::vector<double> sums_of_particles(const Frame& spheres) {
+  const auto &body = spheres.column("body"), &force = spheres.column("fsum");
+  std::map<double, double> sums;
+  for (std::size_t i = 0; i < spheres.rows; ++i) sums[body[i]] += force[i];
+  std::vector<double> of_spheres;
+  for (const double each : body) of_spheres.push_back(sums.at(each));
+  return of_spheres;
+}
+
 ColourScale scale_of(const Frame& spheres, const RenderOptions& options,
                      const SpatialWalls& walls) {
   if (options.colour == SphereColour::none) return {};
-  if (options.colour != SphereColour::orientation)
+  if (options.colour == SphereColour::force)
     return sphere_force_scale(spheres, options.colour, options.largest);
+  if (options.colour == SphereColour::fsum)
+    return force_scale(sums_of_particles(spheres), options.largest,
+                       "sum of contact forces on particle");
   ColourScale scale;
   scale.values = degrees_to_axis(spheres, walls.vertical);
   scale.highest = 90;
@@ -221,7 +236,7 @@ void render_in_space(const Frame& spheres, const RenderOptions& options, const s
             2.2 * font, font);
   Walls none;
   none.sides = none.bottom = false;
-  picture.finish(none, diameter, scale, stem, {}, " at the middle of the bed");
+  picture.finish(none, diameter, scale, stem, {}, "\u00a0at the middle of the bed");
 }
 
 }  // namespace rodpack

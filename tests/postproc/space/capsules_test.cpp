@@ -17,6 +17,7 @@
 #include "liggghts_run.h"
 #include "reading/angles.h"
 #include "spatial_scene.h"
+#include "../synthetic_packing.h"
 
 namespace {
 using namespace rodpack;

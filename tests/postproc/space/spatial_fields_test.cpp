@@ -162,7 +162,7 @@ TEST(SpatialFields, ForcesBalanceAtEveryPlace) {
           worst = std::max(worst, std::abs(divergence + weight - wall[a][place]));
         }
       }
-  EXPECT_GT(largest, 5);
+  EXPECT_GT(largest, 2);
   EXPECT_LT(worst, 1e-3 * largest);
 }
 
@@ -244,8 +244,8 @@ TEST(SpatialRings, APairAcrossTheAxisPressesAlikeInAllDirections) {
   }
 }
 
-// Turned about the axis of its cylinder, a scene keeps its rings, to the error of the sum over the
-// azimuth, 5e-9 of the field; particles that turn about the axis have a velocity around it alone.
+// Turned about the axis of its cylinder, a scene keeps its rings; particles that turn about the
+// axis have a velocity around it alone.
 TEST(SpatialRings, StayWhenTheSceneIsTurnedAboutTheAxis) {
   const auto places = rodpack::test::random_places({4, 4, 3}, 25, 8);
   const auto at_angle = [&](double angle) {
@@ -334,7 +334,7 @@ TEST(SpatialFields, WhatCannotBeIsRefused) {
     }
     return std::string("none");
   };
-  EXPECT_THAT(message(field_options(0.5, 1e-3), {}), HasSubstr("grid: expected at most 1000000"));
+  EXPECT_THAT(message(field_options(0.5, 5e-3), {}), HasSubstr("grid: expected at most 1000000"));
   EXPECT_THAT(message(field_options(0.5, 0.5), {{0, 2.5}}),
               HasSubstr("slice: expected x of 0 to 2 m, found 2.5"));
   auto lucy = field_options(0.5, 0.5);

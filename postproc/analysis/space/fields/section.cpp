@@ -115,7 +115,7 @@ Rings::Rings(const SpatialWalls& walls, double top, double spacing, double arc) 
   for (std::size_t j = 0; j < count_[1]; ++j)
     for (std::size_t i = 0; i < count_[0]; ++i) {
       const double radius = static_cast<double>(i) * spacing_[0];
-      const double around = std::max(8.0, std::ceil(2 * pi * radius / arc));
+      const double around = std::max(16.0, std::ceil(2 * pi * radius / arc));
       for (double k = 0; k < around; ++k) {
         const double azimuth = 2 * pi * k / around;
         Vector place{};

@@ -43,8 +43,9 @@ Section slice_section(const Slice& slice, const SpatialWalls& walls, const Coars
                       const std::vector<Field>& fields);
 
 /// Places on rings about the axis of a cylinder, at even steps of radius, from the axis to the
-/// wall, and height, and on each at even steps of the azimuth of about `arc`. Sums over them of a
-/// Gaussian of standard deviation w err by exp(-2 (pi w / arc)^2).
+/// wall, and height, and on each at n even steps of the azimuth, of about `arc` or less. What a
+/// Gaussian of standard deviation w about a place at the radius b sums to on a ring of radius a
+/// errs by exp(-n^2 w^2 / 2 a b) of it.
 class Rings {
  public:
   /// `spacing`: of radii and heights, roughly, m; `top`: of the heights, along the vertical, m.

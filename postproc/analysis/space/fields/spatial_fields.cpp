@@ -123,7 +123,7 @@ void SpatialFieldSample::start(const SpatialPacking& packing) {
     on_slices_.emplace_back(kernel, grid_of(slice, corners, options_.spacing.value_or(scale / 4)),
                             averaging);
   if (walls.round) {
-    rings_.emplace(walls, corners.high[walls.vertical], spacing, scale);
+    rings_.emplace(walls, corners.high[walls.vertical], spacing, scale / 2);
     on_rings_ = std::make_unique<CoarseGraining>(kernel, rings_->places(), averaging);
   }
   container_ = counted_container(packing, options_.normalisation);
