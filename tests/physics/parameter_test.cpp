@@ -112,3 +112,43 @@ TEST(ParameterCommand, ComparesWithTheParametersOfARun) {
   std::filesystem::remove(first.folder / "parameters.json");
   EXPECT_NE(compare({}).output.find("cannot read 'parameters.json'"), std::string::npos);
 }
+
+// From another folder than the deck's, in one with a blank in its name, also from an included file.
+TEST(ParameterCommand, IncludesFilesBesideTheDeckOnOneAndTwoRanks) {
+  const auto folder = fresh_folder();
+  const auto decks = folder / "my decks";
+  std::filesystem::create_directories(decks / "common");
+  std::ofstream(decks / "common/inner.in") << "parameter size real 5\nprint 'inner'\n";
+  std::ofstream(decks / "common/outer.in")
+      << "parameter include common/inner.in\nprint 'outer ${size}'\n";
+  std::ofstream(decks / "in.deck") << "parameter include common/outer.in\nparameter check\n"
+                                      "print 'deck ${size}'\n";
+  const std::string program = std::string("'") + RODPACK_BIN "/liggghts' -log none -in '" +
+                              (decks / "in.deck").string() + "' -var size 7";
+  for (const std::string start : {"",
+                                  "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+                                  "mpirun --oversubscribe -np 2 "}) {
+    const auto run = run_command(start + program, folder);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    for (const char* said : {"\ninner\n", "\nouter 7\n", "\ndeck 7\n"})
+      EXPECT_NE(run.output.find(said), std::string::npos) << run.output;
+  }
+}
+
+TEST(ParameterCommand, TellsTheFolderOfTheDeckOrSaysWhyNot) {
+  const auto run = run_liggghts("parameter folder\nprint 'in ${deck_folder}.'\n");
+  EXPECT_NE(run.output.find("\nin " + run.folder.string() + "/.\n"), std::string::npos)
+      << run.output;
+  const auto here = run_command("'" RODPACK_BIN "/liggghts' -in in.deck", run.folder);
+  EXPECT_NE(here.output.find("\nin ./.\n"), std::string::npos) << here.output;
+  const auto piped = run_command("'" RODPACK_BIN "/liggghts' < in.deck", run.folder);
+  EXPECT_NE(piped.exit_code, 0);
+  EXPECT_NE(piped.output.find("parameter folder: expected the deck on the command line, as -in"),
+            std::string::npos)
+      << piped.output;
+  const auto absent = run_liggghts("parameter include nowhere.in\nprint 'went on'\n");
+  EXPECT_NE(absent.exit_code, 0);
+  EXPECT_NE(absent.output.find("parameter include nowhere.in: cannot read '"), std::string::npos)
+      << absent.output;
+  EXPECT_EQ(absent.output.find("\nwent on"), std::string::npos);
+}

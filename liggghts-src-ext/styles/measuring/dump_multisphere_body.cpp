@@ -38,7 +38,8 @@ DumpMultisphereBody::DumpMultisphereBody(LAMMPS* lmp, int narg, char** arg)
   if (!atom->sphere_flag)
     StyleArguments(lmp, narg, arg, 5, "Dump").fail("requires atom style sphere");
   set_columns("ATOMS", rodpack::body_dump::columns);
-  // By the first column rather than by id: that takes the rows for atoms where their number is right.
+  // By the first column rather than by id: that takes the rows for atoms where their number is
+  // right.
   sortBuffer = new SortBuffer(lmp, true);
   const char* const by_id[] = {"sort", "1"};
   sortBuffer->modify_param(2, by_id);

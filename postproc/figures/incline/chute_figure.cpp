@@ -16,7 +16,7 @@ std::string panel(int number, int count) {
   const double width = (1 - left - right - (count - 1) * gap) / count;
   const double from = left + number * (width + gap);
   return "set lmargin at screen " + number_text(from) + "\nset rmargin at screen " +
-         number_text(from + width) + "\nset tmargin at screen 0.96\nset bmargin at screen 0.15\n";
+         number_text(from + width) + "\nset tmargin at screen 0.96\nset bmargin at screen 0.2\n";
 }
 
 std::string line(const std::string& columns, const char* colour, const std::string& rest) {
@@ -46,11 +46,11 @@ void plot_chute(const ChuteProfile& profile, const std::string& stem) {
   }
   const std::string dashes = "dashtype 2 linewidth 1.2 linecolor '#000000'";
   draw_figure(
-      stem, 1.2,
+      stem, 2.2,
       datablock("p", {height, velocity, fraction, onto, down, load_onto, load_down}) +
           "set multiplot\nset yrange [0:" + number_text(height.back()) + "]\n" + panel(0, 3) +
           "set ylabel 'height above the base / {/:Italic d}_p'\n"
-          "set xlabel 'velocity, {/:Italic u} / ({/:Italic g d}_p)^{1/2}'\nset xtics autofreq\n"
+          "set xlabel 'velocity, {/:Italic u} / ({/:Italic g d}_p)^{1/2}'\nset xrange [0:*]\n"
           "plot " +
           line("2:1", colour::blue, "notitle") + "\n" + panel(1, 3) +
           "unset ylabel\nset xlabel 'solid fraction {/:Italic φ}'\nset xrange [0:1]\n"
@@ -73,7 +73,7 @@ void plot_rheology(const std::vector<double>& inertial_number, const std::vector
     return "plot $p using " + columns + " with points pointtype 7 pointsize 1.2 linecolor '" +
            std::string(colour::blue) + "' notitle\n";
   };
-  draw_figure(stem, 1.2,
+  draw_figure(stem, 2,
               datablock("p", {inertial_number, friction, solid_fraction}) +
                   "set multiplot\nset xrange [0:*]\nset offsets 0, graph 0.05, graph 0.1, graph "
                   "0.1\nset xlabel 'inertial number {/:Italic I}'\n" +

@@ -78,6 +78,15 @@ TEST(DischargeInSpace, CountsEverySphereOnOneTwoAndFourRanks) {
   }
 }
 
+TEST(DischargeInSpace, CountsPlainSpheresOnOneAndTwoRanks) {
+  for (const int ranks : {1, 2}) {
+    SCOPED_TRACE(ranks);
+    const auto run = run_liggghts(silo, small_silo({{"spheres", "plain"}}), ranks);
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    expect_counted(run.folder / "run", 100, 1);
+  }
+}
+
 TEST(DischargeInSpace, CountsRods) {
   const auto run = run_liggghts(
       silo, small_silo({{"aspect_ratio", "2"}, {"surface", "coarse"}, {"particles", "50"}}));
@@ -88,9 +97,10 @@ TEST(DischargeInSpace, CountsRods) {
 // From a restart file of before and of after the opening the run ends with the same bits: meshes,
 // their contacts and the lid that is no longer there go on.
 TEST(DischargeInSpace, ResumesExactlyOnOneAndTwoRanks) {
-  for (const int ranks : {1, 2}) {
-    SCOPED_TRACE(ranks);
-    const auto whole = run_liggghts(silo, small_silo(), ranks);
+  for (const std::string spheres : {"plain", "bodies"}) {
+    SCOPED_TRACE(spheres);
+    const int ranks = spheres == "plain" ? 1 : 2;
+    const auto whole = run_liggghts(silo, small_silo({{"spheres", spheres}}), ranks);
     ASSERT_EQ(whole.exit_code, 0) << whole.output;
     const fs::path run = whole.folder / "run";
     const std::string bodies = text_of(silo_dump(run, "bodies"));
@@ -102,8 +112,8 @@ TEST(DischargeInSpace, ResumesExactlyOnOneAndTwoRanks) {
     for (const long file : {before + 2, before}) {
       const auto restart = "run/restart/discharge3d." + std::to_string(file * every) + ".restart";
       ASSERT_TRUE(fs::exists(whole.folder / restart)) << restart;
-      const auto resumed =
-          run_liggghts_in(whole.folder, silo, small_silo({{"resume", restart}}), ranks);
+      const auto resumed = run_liggghts_in(
+          whole.folder, silo, small_silo({{"spheres", spheres}, {"resume", restart}}), ranks);
       ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
       EXPECT_EQ(text_of(run / "result.json"), result);
       EXPECT_EQ(text_of(run / "discharge.csv"), counts);
@@ -119,6 +129,8 @@ TEST(DischargeInSpace, RefusesWrongParameters) {
       {{{"orifice_width", "0.019"}},
        "container_width less 2 particle_diameter, 0.018 m, got 0.019"},
       {{{"aspect_ratio", "4"}, {"orifice_width", "0.011"}}, "expected from 0.012 m"},
+      {{{"aspect_ratio", "2"}, {"spheres", "plain"}},
+       "parameter spheres: expected bodies with aspect_ratio 2"},
       {{{"seed", "41"}}, "parameter 'seed': expected maximum 40, got 41"},
       {{{"engine", "planar"}}, "unknown deck parameter 'engine'"},
       {{{"container_height", "0.01"}}, "with room for all 100 particles"}};
