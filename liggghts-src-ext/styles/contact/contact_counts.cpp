@@ -34,6 +34,7 @@ void ContactCounts::check_models(const std::string& who) const {
 }
 
 void ContactCounts::begin() {
+  counts_->just_created = 0;  // or set-up would undo them after the pairs were counted
   for (int i = 0; i < atom->nlocal; ++i) counts_->vector_atom[i] = 0.0;
 }
 
