@@ -8,10 +8,6 @@
 
 namespace rodpack {
 
-/// Relative margin of comparisons of lengths: those in parameters.json and in dumps are rounded to
-/// six digits or more.
-constexpr double length_rounding = 1e-5;
-
 /// The parameters.json that a simulation leaves in its run folder: a flat object, SI units in the
 /// names of the keys.
 struct RunParameters {

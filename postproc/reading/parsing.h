@@ -17,12 +17,12 @@ std::string_view take_word(std::string_view& rest);
 
 /// Reads all of `text` as one number into `value`, a sign before it or none. Returns false, and
 /// leaves `value` alone, when it is anything else; "inf" and "nan" are floating-point numbers.
-template <class Value>
-bool parse_number(std::string_view text, Value& value) {
+template <class Number>
+bool parse_number(std::string_view text, Number& value) {
   // The library's reader knows no '+', which "dump_modify format %+g" writes.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto* end = text.data() + text.size();
-  Value parsed{};
+  Number parsed{};
   const auto result = std::from_chars(text.data(), end, parsed);
   if (result.ec != std::errc() || result.ptr != end) return false;
   value = parsed;

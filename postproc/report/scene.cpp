@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/scene.h"
 
+#include "analysis/edges/undisturbed.h"
 #include "reading/number_text.h"
-#include "reading/parameters.h"
 
 namespace rodpack {
 namespace {

@@ -69,7 +69,7 @@ const char* const on = "totalForceCap on";
 std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 /// Rods that land on the floor under the total cap, at 1.6 ms, in `steps` steps; `fall` says how.
-Table landed(Vars fall, const std::string& events, int steps) {
+Table landed(std::map<std::string, std::string> fall, const std::string& events, int steps) {
   std::ifstream stream(RODPACK_REPOSITORY "/inputs/accuracy/in.rods");
   std::string deck{std::istreambuf_iterator<char>(stream), {}};
   const std::string order = "multistepOrder 4", both = order + " " + on;
@@ -169,8 +169,9 @@ TEST(TotalForceCap, RanksAgreeWithOneRankToRounding) {
 // step 16 times finer than the finest. Under the elastic cap the first has no limit of small steps.
 TEST(TotalForceCap, RodsLandInThirdOrder) {
   const std::string tilt = exact(std::cos(M_PI / 72)) + " 0 0 " + exact(std::sin(M_PI / 72));
-  for (const Vars& fall :
-       {Vars{{"height", "0.00724"}}, Vars{{"height", "0.0024"}, {"orientation", tilt}}}) {
+  for (const std::map<std::string, std::string>& fall :
+       {std::map<std::string, std::string>{{"height", "0.00724"}},
+        std::map<std::string, std::string>{{"height", "0.0024"}, {"orientation", tilt}}}) {
     const Table reference = landed(fall, "yes", 480 * 16);
     const double coarse = difference(landed(fall, "yes", 120), reference);
     const double fine = difference(landed(fall, "yes", 480), reference);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ std::string text(double value) {
   std::snprintf(digits, sizeof(digits), "%.17g", value);
   return digits;
 }
+
+using Vars = std::map<std::string, std::string>;
 
 Vars variables(const CollisionReference& collision, double dt, double time,
                const std::string& order) {

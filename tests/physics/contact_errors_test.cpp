@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "deck.h"
@@ -9,6 +10,7 @@
 
 using namespace rodpack::test;
 using testing::HasSubstr;
+using Vars = std::map<std::string, std::string>;
 
 namespace {
 

@@ -36,6 +36,8 @@ rodpack::AccuracySummary measured(const std::string& scene, const std::string& m
                             25, 1e-11);
 }
 
+using Vars = std::map<std::string, std::string>;
+
 std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 const char* with_events = "multisphere/ab order 3 planar yes events yes";

@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "liggghts_run.h"
 
 using namespace rodpack::test;
+using Vars = std::map<std::string, std::string>;
 
 namespace {
 

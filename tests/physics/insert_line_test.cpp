@@ -13,6 +13,8 @@ namespace {
 
 using namespace rodpack::test;
 
+using Vars = std::map<std::string, std::string>;
+
 const char* deck = "verification/lines/in.lines";
 
 /// Steps at which the number inserted rises, with the number after it.

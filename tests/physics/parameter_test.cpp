@@ -24,7 +24,7 @@ parameter write parameters.json
 print "particles=${particles} paper=${preset_is_paper} resume=${resume_given}"
 )";
 
-void expect_error(const Vars& vars, const std::string& message) {
+void expect_error(const std::map<std::string, std::string>& vars, const std::string& message) {
   const auto run = run_liggghts(deck, vars);
   EXPECT_NE(run.exit_code, 0);
   EXPECT_NE(run.output.find("ERROR: " + message), std::string::npos) << run.output;
@@ -89,7 +89,9 @@ TEST(ParameterCommand, ComparesWithTheParametersOfARun) {
   const auto first = run_liggghts(deck, {{"particles", "12"}});
   std::string again = deck;
   again.replace(again.find("write"), 5, "compare");
-  const auto compare = [&](const Vars& vars) { return run_liggghts_in(first.folder, again, vars); };
+  const auto compare = [&](const std::map<std::string, std::string>& vars) {
+    return run_liggghts_in(first.folder, again, vars);
+  };
   EXPECT_EQ(compare({{"particles", "12"}, {"timestep", "11e-6"}}).exit_code, 0);
   const auto other = compare({});
   EXPECT_NE(other.exit_code, 0);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@ using namespace rodpack::test;
 using testing::HasSubstr;
 
 namespace {
+
+using Vars = std::map<std::string, std::string>;
 
 // Rods that fall into a narrow box, line by line, or go on from a restart file. `extra`: a line
 // before the run.

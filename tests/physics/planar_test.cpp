@@ -14,7 +14,7 @@ using namespace rodpack::test;
 
 const char* deck = "verification/planar/in.planar";
 
-void expect_planar_for_1e5_steps(const Vars& vars, std::size_t rows) {
+void expect_planar_for_1e5_steps(const std::map<std::string, std::string>& vars, std::size_t rows) {
   const auto run = run_liggghts(deck, vars);
   ASSERT_EQ(run.exit_code, 0) << run.output;
   for (int frame = 0; frame <= 5; ++frame) {

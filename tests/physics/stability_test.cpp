@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "liggghts_run.h"
@@ -13,6 +14,7 @@
 using namespace rodpack::test;
 using rodpack::stability_limit;
 using testing::HasSubstr;
+using Vars = std::map<std::string, std::string>;
 
 namespace {
 

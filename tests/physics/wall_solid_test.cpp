@@ -62,7 +62,7 @@ struct Flight {
   std::vector<double> last;
 };
 
-Flight fly(const Vars& vars, int ranks = 1) {
+Flight fly(const std::map<std::string, std::string>& vars, int ranks = 1) {
   const auto run = run_liggghts(deck, vars, ranks);
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const bool up = vars.count("down") != 0;  // the plane is at the top, y = 0.1

@@ -66,13 +66,13 @@ Run run_rodpack(const std::string& arguments, const fs::path& folder) {
   return run_command("'" RODPACK_BIN "/rodpack' " + arguments, folder);
 }
 
-Run run_liggghts(const std::string& deck, const Vars& vars,
+Run run_liggghts(const std::string& deck, const std::map<std::string, std::string>& vars,
                  int ranks) {
   return run_liggghts_in(fresh_folder(), deck, vars, ranks);
 }
 
 Run run_liggghts_in(const fs::path& folder, const std::string& deck,
-                    const Vars& vars, int ranks) {
+                    const std::map<std::string, std::string>& vars, int ranks) {
   fs::path file = fs::path(RODPACK_REPOSITORY) / "inputs" / deck;
   if (deck.find('\n') != std::string::npos) {
     file = folder / "in.deck";

@@ -30,16 +30,14 @@ Run run_command(const std::string& command, const std::filesystem::path& folder 
 /// Runs the built post-processor in `folder`; the arguments are words for a shell.
 Run run_rodpack(const std::string& arguments, const std::filesystem::path& folder = fresh_folder());
 
-/// Names and values of a deck's variables.
-using Vars = std::map<std::string, std::string>;
-
 /// Runs the built LIGGGHTS in a fresh folder. `deck` is a path relative to the repository's
 /// inputs/, or the deck's text if it contains a newline. `vars` become -var name value.
-Run run_liggghts(const std::string& deck, const Vars& vars = {}, int ranks = 1);
+Run run_liggghts(const std::string& deck, const std::map<std::string, std::string>& vars = {},
+                 int ranks = 1);
 
 /// Same, in a folder that exists: for a deck that goes on from an earlier run's restart.
 Run run_liggghts_in(const std::filesystem::path& folder, const std::string& deck,
-                    const Vars& vars = {}, int ranks = 1);
+                    const std::map<std::string, std::string>& vars = {}, int ranks = 1);
 
 }  // namespace rodpack::test
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "reading/parameters.h"
-
 namespace rodpack {
 
 double kernel_reach(const AveragingKernel& kernel) {

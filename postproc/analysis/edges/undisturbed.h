@@ -12,6 +12,10 @@
 
 namespace rodpack {
 
+/// Relative margin of comparisons of lengths: those in parameters.json and in dumps are rounded to
+/// six digits or more.
+constexpr double length_rounding = 1e-5;
+
 /// Returns how far from a place the kernel still counts for what is read off there, m: 3 w, or its
 /// end if that is nearer.
 double kernel_reach(const AveragingKernel& kernel);
@@ -19,7 +23,7 @@ double kernel_reach(const AveragingKernel& kernel);
 /// Returns the part of a bed where averages hold nothing of the empty space beyond walls and
 /// surface: further than `reach` (m) from each of them. Endless where there is no wall, and where
 /// the densities are normalised by the kernel's share on this side of it. With left >= right or
-/// bottom >= top there is no such part. Lengths that differ by rounding alone (1e-5) are equal.
+/// bottom >= top there is no such part. Lengths that differ by rounding alone are equal.
 Rectangle undisturbed_part(const Packing& packing, double reach,
                            Normalisation normalisation = Normalisation::none);
 

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace rodpack::test;
+using Vars = std::map<std::string, std::string>;
 
 const char* const deck = "verification/two_rods/in.two_rods";
 const char* const planar = "multisphere/ab order 3 planar yes";
@@ -152,9 +153,10 @@ TEST(MultisphereAb, AnotherTimestepOrOrderInARestartStartsAnew) {
 }
 
 TEST(MultisphereAb, WrongInputIsOneLineThatNamesIt) {
-  const Vars cases = {{"multisphere/ab CAddRhoFluid 1 2", "unknown keyword 'CAddRhoFluid'"},
-                      {"multisphere/ab planar yes", "body 1: z is not one of its principal axes"},
-                      {"multisphere\nfix again all multisphere/ab", "only one fix multisphere"}};
+  const std::map<std::string, std::string> cases = {
+      {"multisphere/ab CAddRhoFluid 1 2", "unknown keyword 'CAddRhoFluid'"},
+      {"multisphere/ab planar yes", "body 1: z is not one of its principal axes"},
+      {"multisphere\nfix again all multisphere/ab", "only one fix multisphere"}};
   for (const auto& [integrator, message] : cases) {
     std::string text;
     {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "liggghts_run.h"
@@ -11,6 +12,7 @@
 namespace {
 
 using namespace rodpack::test;
+using Vars = std::map<std::string, std::string>;
 
 const char* const deck = "verification/bouncing_spheres/in.bouncing_spheres";
 

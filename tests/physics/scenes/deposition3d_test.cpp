@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -15,6 +16,8 @@ using namespace rodpack::test;
 namespace fs = std::filesystem;
 
 namespace {
+
+using Vars = std::map<std::string, std::string>;
 
 const std::string deck_in_space = "deposition3d/in.deposition3d";
 constexpr double width = 0.018;

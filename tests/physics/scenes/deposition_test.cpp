@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -16,6 +17,8 @@ using namespace rodpack::test;
 namespace fs = std::filesystem;
 
 namespace {
+
+using Vars = std::map<std::string, std::string>;
 
 const std::string deck = "deposition/in.deposition";
 constexpr double gravity = 9.81;

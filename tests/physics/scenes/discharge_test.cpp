@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,6 +15,8 @@ using namespace rodpack::test;
 namespace fs = std::filesystem;
 
 namespace {
+
+using Vars = std::map<std::string, std::string>;
 
 const std::string deck = "discharge/in.discharge";
 constexpr double diameter = 3e-3;

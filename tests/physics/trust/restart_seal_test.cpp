@@ -36,7 +36,7 @@ write_restart r.restart
 }
 
 Run read(const std::string& content, const std::string& words = "", const std::string& after = "",
-         const Vars& vars = {}) {
+         const std::map<std::string, std::string>& vars = {}) {
   const fs::path folder = fresh_folder();
   std::ofstream(folder / "r.restart", std::ios::binary) << content;
   return run_liggghts_in(

@@ -17,6 +17,7 @@ using testing::Not;
 namespace {
 
 namespace fs = std::filesystem;
+using Vars = std::map<std::string, std::string>;
 
 const std::string deck = "deposition/in.deposition";
 
