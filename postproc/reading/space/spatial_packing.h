@@ -69,8 +69,9 @@ std::optional<std::size_t> find_vertical(const Frame& frame, const std::string& 
 bool is_in_space(const Frame& bodies, const PackingOptions& options, const SpaceOptions& space);
 
 /// Reads a frame with the columns `nspheres x y z qw qx qy qz half_length radius mass`. Walls: the
-/// options, else the run's scene (spatial_walls_of_scene()), else `container` ("box" or "cylinder", from 0 to container_width_m, floor at 0) of
-/// parameters.json, else the box bounds of the dump; d_p and AR as in particle_sizes().
+/// options, else the run's scene (spatial_walls_of_scene()), else `container` ("box" or "cylinder",
+/// from 0 to container_width_m, floor at 0) of parameters.json, else the box bounds of the dump;
+/// d_p and AR as in particle_sizes().
 /// @throws DataError when the vertical is unknown, a column is missing, the frame is empty, the
 ///   container has no room for a particle, or as particle_sizes().
 SpatialPacking read_spatial_packing(const Frame& bodies, const PackingOptions& options,
