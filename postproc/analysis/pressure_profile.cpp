@@ -23,7 +23,7 @@ std::pair<int, double> columns_of_slice(const Packing& packing, double scale) {
   const int count = static_cast<int>(std::ceil(period / most - 1e-9));
   return {count, period / count};
 }
-}
+}  // namespace
 
 void ProfileSample::add(const Packing& packing, const Frame& bodies, const Frame& contacts) {
   if (!averages_) {

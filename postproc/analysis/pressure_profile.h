@@ -13,7 +13,8 @@
 namespace rodpack {
 
 /// Contact stress in the central vertical slice, 2 AR d_p wide, where x is periodic as wide as the
-/// period (postproc/README.md, Definitions), one entry per depth, from the surface down to the floor; means over the slice's width.
+/// period (postproc/README.md, Definitions), one entry per depth, from the surface down to the
+/// floor; means over the slice's width.
 struct PressureProfile {
   double particle_diameter = 0;    // d_p, m
   double scale = 0;                // w, m

@@ -221,6 +221,14 @@ void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_
             });
 }
 
+double half_period(const Packing& packing) {
+  double half = std::numeric_limits<double>::infinity();
+  const auto& walls = packing.walls;
+  if (!walls.sides) half = std::min(half, walls.width() / 2);
+  if (!walls.bottom) half = std::min(half, (walls.ceiling - walls.floor) / 2);
+  return half / packing.particle_diameter;
+}
+
 double visit_rdf(const Packing& packing, const RdfOptions& options, const RdfVisitor& visitor) {
   const double bin = options.bin_width * packing.particle_diameter;
   const auto bins = bins_of(options);

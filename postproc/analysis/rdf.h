@@ -47,6 +47,9 @@ struct RdfPair {
 void for_rdf_pairs(const Packing& packing, const RdfOptions& options, std::size_t first,
                    std::size_t last, const std::function<void(const RdfPair&)>& visit);
 
+/// Half of the packing's shortest period, in d_p; infinite without one.
+double half_period(const Packing& packing);
+
 /// Calls `visitor` with every centre and every pair that RdfSample counts. Returns the area in
 /// which the centres lie, m^2. @throws TooFewParticles, DataError as RdfSample::add().
 double visit_rdf(const Packing& packing, const RdfOptions& options, const RdfVisitor& visitor);

@@ -12,8 +12,8 @@ namespace rodpack {
 
 /// Coarse-grained solid fraction in the central vertical slice (postproc/README.md, Definitions),
 /// averaged over the slice's width 2 AR d_p in closed form, with w = 3 AR d_p. Where x is periodic
-/// the slice is the whole period; where y is, there is neither floor nor surface, and means are over
-/// the whole height.
+/// the slice is the whole period; where y is, there is neither floor nor surface, and means are
+/// over the whole height.
 struct SolidFraction {
   double scale = 0;                     // w, m
   double lowest = 0;                    // y from which the means start: 3 w above the floor, m

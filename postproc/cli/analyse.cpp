@@ -42,9 +42,10 @@ void add_analyse(CLI::App& app) {
   add_packing_options(*command, options->input);
   add_space_options(*command, options->input);
   command
-      ->add_option("--friction", options->friction,
-                   "friction coefficient mu [default: dump scene, else parameters.json; unknown: no "
-                   "mobilised friction]")
+      ->add_option(
+          "--friction", options->friction,
+          "friction coefficient mu [default: dump scene, else parameters.json; unknown: no "
+          "mobilised friction]")
       ->check(positive_number(1000))
       ->type_name("MU");
   command->callback([options] {

@@ -103,7 +103,8 @@ void measure(const ForcesArguments& options) {
   if (fabric)
     report_fabric(*fabric);
   else if (!not_planar.empty())
-    std::cout << "the fabric is left out: no --vertical, dump scene or 'vertical_axis' in parameters.json\n";
+    std::cout << "the fabric is left out: no --vertical, dump scene or 'vertical_axis' in "
+                 "parameters.json\n";
   std::cout << input.passed_over_line();
   if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
   if (not_planar.empty()) written += ", " + stem + "_chains.png .svg";

@@ -13,13 +13,13 @@ namespace rodpack {
 
 /// The container. The top is open.
 struct Walls {
-  double left = 0;     // x of the left wall, m
-  double right = 0;    // x of the right wall, m
-  double floor = 0;    // y of the floor, m
-  bool sides = true;   // false: periodic in x with period right - left
-  bool bottom = true;  // false: periodic in y with period ceiling - floor, no floor
-  double ceiling = 0;  // y of the period's end; nothing without one
-  std::string source;  // where the numbers come from, for reports
+  double left = 0;                 // x of the left wall, m
+  double right = 0;                // x of the right wall, m
+  double floor = 0;                // y of the floor, m
+  bool sides = true;               // false: periodic in x with period right - left
+  bool bottom = true;              // false: periodic in y with period ceiling - floor, no floor
+  double ceiling = 0;              // y of the period's end; nothing without one
+  std::string source;              // where the numbers come from, for reports
   std::vector<std::string> notes;  // what of the scene is no wall of the container, and why
   /// Distance of the side walls, or the period in x, m.
   double width() const { return right - left; }

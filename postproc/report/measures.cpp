@@ -51,8 +51,18 @@ void report_bond_order(const Frame& bodies, const Packing& packing, Json& summar
   summary["sixfold_bond_order_global"] = order.global;
 }
 
+RdfOptions rdf_options(double half_period, Json& summary) {
+  const RdfOptions usual;
+  const auto options = up_to(usual, half_period);
+  if (options.largest_distance < usual.largest_distance)
+    summary["notes"].push_back("RDF: up to " + number_text(options.largest_distance, 4) +
+                               " d_p, half of the shortest period");
+  return options;
+}
+
 void report_rdf(const Packing& packing, const fs::path& out, Json& summary) {
-  RdfSample sample({});
+  const auto options = rdf_options(half_period(packing), summary);
+  RdfSample sample(options);
   sample.add(packing);
   put_rdf(sample.result(), out, summary);
 }

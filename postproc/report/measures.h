@@ -33,6 +33,9 @@ void report_rdf(const Packing& packing, const std::filesystem::path& out,
 void report_solid_fraction(const Packing& packing, const std::filesystem::path& out,
                            nlohmann::ordered_json& summary);
 
+/// The options of G(r), up to half of the shortest period (d_p) where that is less than usual,
+/// which the notes say.
+RdfOptions rdf_options(double half_period, nlohmann::ordered_json& summary);
 /// The tables, figures and numbers of G(r), in a plane and in space.
 void put_rdf(const Rdf& rdf, const std::filesystem::path& out, nlohmann::ordered_json& summary);
 /// The numbers of a fit of Janssen's law, null where there is none or it does not saturate, which
@@ -51,8 +54,8 @@ struct MeasuredContacts {
   std::string friction_note;          // why there is no mobilised friction
 };
 /// Reads the contacts of the timestep of `bodies` and measures their forces. `parameters`: the
-/// run's parameters.json; `friction`: in place of what the scene or that says. @throws DataError when a column
-/// is missing or malformed.
+/// run's parameters.json; `friction`: in place of what the scene or that says. @throws DataError
+/// when a column is missing or malformed.
 MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
                                   const std::string& parameters, std::optional<double> friction);
 

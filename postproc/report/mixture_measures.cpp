@@ -3,6 +3,8 @@
 
 #include "analysis/mixture/composition.h"
 #include "analysis/mixture/partial_rdf.h"
+#include "analysis/rdf.h"
+#include "analysis/space/spatial_rdf.h"
 #include "figures/mixture/partial_rdf_figure.h"
 #include "reading/angles.h"
 
@@ -47,7 +49,7 @@ void put_partial_rdf(const AnyPacking& packing, const Mixture& mixture, const fs
                      Json& summary) {
   std::optional<PartialRdf> rdf;
   try {
-    rdf = partial_rdf(packing, mixture, {});
+    rdf = partial_rdf(packing, mixture, up_to({}, half_period(packing)));
   } catch (const DataError& reason) {
     summary["notes"].push_back(std::string("partial RDF: ") + reason.what());
     return;

@@ -118,7 +118,8 @@ int report_bodies(const SpatialPacking& packing, const Frame& bodies, const fs::
     put_orientation(*result, out, summary);
     ++made;
   }
-  if (const auto rdf = sampled("RDF", SpatialRdfSample({}), packing, summary)) {
+  if (const auto rdf = sampled("RDF", SpatialRdfSample(rdf_options(half_period(packing), summary)),
+                               packing, summary)) {
     put_rdf(*rdf, out, summary);
     ++made;
   }

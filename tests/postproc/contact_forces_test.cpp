@@ -10,6 +10,7 @@
 
 #include "liggghts_run.h"
 #include "analysis/force_chains.h"
+#include "reading/scene/run_scene.h"
 #include "synthetic_packing.h"
 
 namespace {

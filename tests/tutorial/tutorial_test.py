@@ -26,7 +26,8 @@ class Tutorial(unittest.TestCase):
         cls.folder = Path(tempfile.mkdtemp())
         cls.environment = dict(
             os.environ,
-            PATH=os.environ["RODPACK_BIN"] + os.pathsep + os.environ["PATH"],
+            # /usr/bin: Debian's python3, which has NumPy.
+            PATH=os.pathsep.join((os.environ["RODPACK_BIN"], "/usr/bin", os.environ["PATH"])),
             RODPACK=str(REPOSITORY),
             PYTHONDONTWRITEBYTECODE="1",
         )

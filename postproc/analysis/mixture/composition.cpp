@@ -129,12 +129,10 @@ std::vector<std::vector<double>> coordination_by_species(const Frame& contacts, 
 void write_mixture_table(const Mixture& mixture, const std::vector<SpeciesMeasures>& measures,
                          const std::vector<std::vector<double>>& coordination,
                          const std::string& file) {
-  std::vector<std::string> head{"species",          "type",
-                                "particles",        "diameter_m",
-                                "aspect_ratio",     "curvature_deg",
-                                "number_share",     "solid_share",
-                                "nematic_order_S2", "nematic_order_S2_error",
-                                "director_deg"};
+  std::vector<std::string> head{
+      "species",       "type",         "particles",   "diameter_m",       "aspect_ratio",
+      "curvature_deg", "number_share", "solid_share", "nematic_order_S2", "nematic_order_S2_error",
+      "director_deg"};
   if (!coordination.empty())
     for (const auto& each : mixture.species) head.push_back("touching_" + each.name);
   std::string text = csv_line(head) + "\n";

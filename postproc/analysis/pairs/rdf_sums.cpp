@@ -12,6 +12,13 @@ std::size_t bins_of(const RdfOptions& options) {
   return static_cast<std::size_t>(std::ceil(options.largest_distance / options.bin_width - 1e-9));
 }
 
+RdfOptions up_to(RdfOptions options, double half_period) {
+  if (options.largest_distance <= half_period * (1 + 1e-9)) return options;
+  options.largest_distance =
+      options.bin_width * std::floor(half_period / options.bin_width * (1 + 1e-9));
+  return options;
+}
+
 void add_to_spread(const std::vector<double>& inside, bool is_centre, RdfFrame& frame) {
   for (std::size_t k = 0; k < inside.size(); ++k) {
     const double weight = (frame.rings[k] > 0 ? inside[k] / frame.rings[k] : 0) -

@@ -33,6 +33,9 @@ struct Rdf {
 /// Number of bins up to the largest distance.
 std::size_t bins_of(const RdfOptions& options);
 
+/// The same options with a largest distance of at most `half_period`, in d_p, in whole bins.
+RdfOptions up_to(RdfOptions options, double half_period);
+
 /// What one frame adds to G(r), in the plane or in space; lengths in m. One entry per bin.
 struct RdfFrame {
   std::vector<double> pairs;     // (centre, neighbour)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/space/neighbourhood.h"
 
@@ -66,6 +67,14 @@ void SpatialRdfSample::add(const SpatialPacking& packing) {
       add_to_spread(shell_volumes(points.region, points.place[i], bin, bins), points.is_centre[i],
                     frame);
   sums_.add(frame);
+}
+
+double half_period(const SpatialPacking& packing) {
+  double half = std::numeric_limits<double>::infinity();
+  const auto& walls = packing.walls;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (walls.periodic[axis]) half = std::min(half, (walls.high[axis] - walls.low[axis]) / 2);
+  return half / packing.particle_diameter;
 }
 
 double visit_spatial_rdf(const SpatialPacking& packing, const RdfOptions& options,

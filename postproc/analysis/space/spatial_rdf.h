@@ -24,6 +24,9 @@ class SpatialRdfSample {
   RdfSums sums_;
 };
 
+/// Half of the packing's shortest period, in d_p; infinite without one.
+double half_period(const SpatialPacking& packing);
+
 /// Calls `visitor` with every centre and every pair that SpatialRdfSample counts. Returns the
 /// volume in which the centres lie, m^3. @throws as neighbourhood().
 double visit_spatial_rdf(const SpatialPacking& packing, const RdfOptions& options,

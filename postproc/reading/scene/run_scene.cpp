@@ -23,7 +23,8 @@ constexpr NumberRange any_place{-1e6, 1e6}, any_length{0, 1e6, false, true};
 class SceneObject {
  public:
   SceneObject(const Json& values, std::string where) : values_(values), where_(std::move(where)) {
-    if (!values.is_object()) throw DataError(where_ + ": expected an object, found " + text(values));
+    if (!values.is_object())
+      throw DataError(where_ + ": expected an object, found " + text(values));
   }
 
   [[noreturn]] void refuse(const std::string& key, const std::string& expected) const {
@@ -144,8 +145,8 @@ SceneFiles scenes_in(const fs::path& folder, long timestep) {
 }
 
 std::string place(const Vector3& at) {
-  return "(" + number_text(at[0], 4) + ", " + number_text(at[1], 4) + ", " +
-         number_text(at[2], 4) + ")";
+  return "(" + number_text(at[0], 4) + ", " + number_text(at[1], 4) + ", " + number_text(at[2], 4) +
+         ")";
 }
 
 }  // namespace
@@ -173,8 +174,9 @@ std::optional<std::size_t> RunScene::vertical() const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(size > 0) || std::abs(std::abs(g[axis]) - size) > 1e-9 * size) continue;
     if (g[axis] < 0) return axis;
-    throw DataError(file + ": key 'gravity_m_s2': expected gravity along -x, -y or -z, found it along +" +
-                    "xyz"[axis] + "; --vertical and a deck with that axis the other way measure it");
+    throw DataError(
+        file + ": key 'gravity_m_s2': expected gravity along -x, -y or -z, found it along +" +
+        "xyz"[axis] + "; --vertical and a deck with that axis the other way measure it");
   }
   return std::nullopt;
 }

@@ -16,14 +16,14 @@ namespace rodpack {
 struct SceneWall {
   enum class Kind { plane, cylinder, mesh, other };
   Kind kind = Kind::other;
-  std::string name;           // "fix floor", "fix walls (mesh hopper)"
-  bool touches_all = true;    // false: it acts on a group of particles alone
-  std::size_t axis = 0;       // normal of a plane, axis of a cylinder
-  double position = 0;        // of a plane along its axis, m
-  int free_side = 0;          // of a plane: 1 or -1, where the particles may be; 0: both
-  Vector3 middle{};           // a point of a cylinder's axis, m
-  double radius = 0;          // of a cylinder, m
-  Vector3 low{}, high{};      // box around a mesh, m
+  std::string name;         // "fix floor", "fix walls (mesh hopper)"
+  bool touches_all = true;  // false: it acts on a group of particles alone
+  std::size_t axis = 0;     // normal of a plane, axis of a cylinder
+  double position = 0;      // of a plane along its axis, m
+  int free_side = 0;        // of a plane: 1 or -1, where the particles may be; 0: both
+  Vector3 middle{};         // a point of a cylinder's axis, m
+  double radius = 0;        // of a cylinder, m
+  Vector3 low{}, high{};    // box around a mesh, m
 
   /// What and where it is, for reports.
   std::string description() const;
@@ -52,8 +52,8 @@ RunScene read_scene(const std::string& file);
 /// @throws DataError as read_scene(), and when there are scenes, but of other timesteps.
 std::optional<RunScene> find_scene(const Frame& frame);
 
-/// Length of a time step, s: the scene's, else timestep_s of parameters.json (at `parameters`, or as
-/// find_parameters() finds it); none where nobody says it.
+/// Length of a time step, s: the scene's, else timestep_s of parameters.json (at `parameters`, or
+/// as find_parameters() finds it); none where nobody says it.
 std::optional<double> find_timestep(const Frame& frame, const std::string& parameters);
 
 /// The coefficient of friction of a run's contacts, or why there is none.

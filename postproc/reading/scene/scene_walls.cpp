@@ -66,9 +66,10 @@ class ContainerSearch {
     if (side == 0 && above == place.size()) side = 1;
     if (side == 0 && above == 0) side = -1;
     if (side == 0)
-      return leave_out(wall, "has particles on both sides, " + std::to_string(above) +
-                                 " of them beyond it");
-    if (side < 0 && wall.axis == vertical_) return leave_out(wall, "is above the bed, whose top is open");
+      return leave_out(
+          wall, "has particles on both sides, " + std::to_string(above) + " of them beyond it");
+    if (side < 0 && wall.axis == vertical_)
+      return leave_out(wall, "is above the bed, whose top is open");
     auto& nearest = (side > 0 ? found_.low : found_.high)[wall.axis];
     if (!nearest || side * (wall.position - nearest->position) > 0) nearest = &wall;
   }

@@ -192,6 +192,14 @@ TEST(PeriodicWidth, OfTwentyDiametersHasRoomForTenAndOneOfLessHasNot) {
   }
 }
 
+// analyse takes what there is room for, in whole bins.
+TEST(PeriodicWidth, OfLessShortensTheUsualRdfToHalfOfIt) {
+  EXPECT_EQ(up_to({}, 12).largest_distance, 10);
+  EXPECT_EQ(up_to({}, 10 * (1 - 1e-12)).largest_distance, 10);
+  EXPECT_NEAR(up_to({}, 9.96).largest_distance, 9.9, 1e-12);
+  EXPECT_NEAR(up_to({0.3, 10, -1}, 1).largest_distance, 0.9, 1e-12);
+}
+
 // Without walls anywhere all particles are centres and every ring is whole.
 TEST(PeriodicPlane, AnIdealGasHasNoMarginAndNoStructure) {
   Packing packing;
