@@ -205,7 +205,7 @@ void render_in_space(const Frame& spheres, const RenderOptions& options, const s
   const auto view = view_of(bed, options.azimuth, options.elevation);
   const auto& seen = view.frustum;
   const double width = seen.right - seen.left, height = seen.top - seen.bottom;
-  const double pixels = options.pixels > 0 ? options.pixels : 1400;
+  const double pixels = options.pixels > 0 ? options.pixels : 1200;
   const double per_unit = pixels / std::max(width, height);
 
   TracedScene scene;
