@@ -174,7 +174,7 @@ TEST_F(SpaceRender, WritesAPictureWithItsScales) {
   const auto result = run("--vertical z --pixels 300");
   ASSERT_EQ(result.exit_code, 0) << result.output;
   const auto svg = text_of(folder_ / "packing.svg");
-  for (const std::string part : {"data:image/png;base64,", "sum of contact forces on particle (mN)",
+  for (const std::string part : {"data:image/png;base64,", "sum of contact forces (mN)",
                                  "at the middle of the bed", ">x</text>", ">z</text>"})
     EXPECT_THAT(svg, HasSubstr(part));
   EXPECT_GT(fs::file_size(folder_ / "packing.png"), 10000U);
