@@ -119,7 +119,7 @@ void add_render(CLI::App& app) {
   command
       ->add_option("--pixels", options->render.pixels,
                    "longer side of the drawn window [default: 8 per d_p, 1200 to 4000; in space "
-                   "1400]")
+                   "1200]")
       ->check(whole_number(100, 20000))
       ->type_name("N");
   add_view_options(*command, *options);

@@ -173,8 +173,8 @@ void PackingPicture::draw_scale_bar(double diameter, const std::string& note) {
             "<tspan dy=\"" + Drawing::at(0.25 * font_) + "\" font-size=\"" +
             Drawing::at(0.7 * font_) + "\">p</tspan>";
   if (!note.empty())
-    text +=
-        "<tspan dy=\"" + Drawing::at(diameter > 0 ? -0.25 * font_ : 0) + "\">" + note + "</tspan>";
+    text += "<tspan dx=\"" + Drawing::at(0.4 * font_) + "\" dy=\"" +
+            Drawing::at(diameter > 0 ? -0.25 * font_ : 0) + "\">" + note + "</tspan>";
   drawing_.label(margin_ + bar * per_metre_ + 0.6 * font_, level + 0.36 * font_, font_, "start",
                  text);
 }

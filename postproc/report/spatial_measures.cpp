@@ -154,10 +154,9 @@ int report_fields_in_space(const SpatialPacking& packing, const Frame& bodies,
     summary[key] = nullptr;
     summary["notes"].push_back(
         "solid fraction: no place is further than 3 omega from walls, floor and surface; --scale "
-        "of "
-        "rodpack solid-fraction makes omega smaller");
+        "of rodpack solid-fraction makes omega smaller");
   }
-  return 1;
+  return contacts ? 1 : 0;  // densities alone there are of any particle
 }
 
 }  // namespace

@@ -130,8 +130,7 @@ ColourScale scale_of(const Frame& spheres, const RenderOptions& options,
   if (options.colour == SphereColour::force)
     return sphere_force_scale(spheres, options.colour, options.largest);
   if (options.colour == SphereColour::fsum)
-    return force_scale(sums_of_particles(spheres), options.largest,
-                       "sum of contact forces on particle");
+    return force_scale(sums_of_particles(spheres), options.largest, "sum of contact forces");
   ColourScale scale;
   scale.values = degrees_to_axis(spheres, walls.vertical);
   scale.highest = 90;
@@ -205,7 +204,7 @@ void render_in_space(const Frame& spheres, const RenderOptions& options, const s
   const auto view = view_of(bed, options.azimuth, options.elevation);
   const auto& seen = view.frustum;
   const double width = seen.right - seen.left, height = seen.top - seen.bottom;
-  const double pixels = options.pixels > 0 ? options.pixels : 1400;
+  const double pixels = options.pixels > 0 ? options.pixels : 1200;
   const double per_unit = pixels / std::max(width, height);
 
   TracedScene scene;
@@ -236,7 +235,7 @@ void render_in_space(const Frame& spheres, const RenderOptions& options, const s
             2.2 * font, font);
   Walls none;
   none.sides = none.bottom = false;
-  picture.finish(none, diameter, scale, stem, {}, "\u00a0at the middle of the bed");
+  picture.finish(none, diameter, scale, stem, {}, "at the middle of the bed");
 }
 
 }  // namespace rodpack

@@ -36,8 +36,12 @@ std::vector<Rectangle> places_with(const FieldMap& map, std::size_t columns,
 // White over what is outside a cylinder, and its wall on a level slice.
 void show_wall(const Section& section, const SpatialPacking& packing,
                const std::function<bool(std::size_t)>& outside, FieldMap& map) {
-  const auto beyond = places_with(map, section.count[0], outside);
+  auto beyond = places_with(map, section.count[0], outside);
   if (beyond.empty()) return;
+  for (auto& part : beyond) {  // so that no seam shows between two rows
+    part.bottom -= 0.05 * map.spacing[1];
+    part.top += 0.05 * map.spacing[1];
+  }
   map.blocks += hatch_block("outside", beyond);
   map.edges +=
       ", $outside using 1:2:3:4:5:6 with boxxyerror fillstyle solid noborder linecolor '#FFFFFF'";

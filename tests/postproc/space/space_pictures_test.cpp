@@ -174,12 +174,12 @@ TEST_F(SpaceRender, WritesAPictureWithItsScales) {
   const auto result = run("--vertical z --pixels 300");
   ASSERT_EQ(result.exit_code, 0) << result.output;
   const auto svg = text_of(folder_ / "packing.svg");
-  for (const std::string part : {"data:image/png;base64,", "sum of contact forces on particle (mN)",
+  for (const std::string part : {"data:image/png;base64,", "sum of contact forces (mN)",
                                  "at the middle of the bed", ">x</text>", ">z</text>"})
     EXPECT_THAT(svg, HasSubstr(part));
   EXPECT_GT(fs::file_size(folder_ / "packing.png"), 10000U);
-  // Nothing of the way there is left.
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 3);
+  for (const auto& entry : fs::directory_iterator(folder_))  // nothing of the way there is left
+    EXPECT_EQ(entry.path().string().find("traced"), std::string::npos) << entry.path();
   const auto other = run(
       "--vertical z --cylinder 0.009 0.009 0.013 --azimuth -60 --elevation 40 --colour orientation "
       "--pixels 300 -o round");
