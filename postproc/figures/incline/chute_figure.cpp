@@ -62,12 +62,12 @@ void plot_chute(const ChuteProfile& profile, const std::string& stem) {
                   "plot " +
                   line("3:1", colour::blue, "notitle") + "\n" + panel(2, 3) +
                   "set xlabel 'stress (" + unit.name +
-                  ")'\nset xrange [0:*]\nset key top right\n"
+                  ")'\nset xrange [*<0:*]\nset key top right\n"
                   "plot " +
                   line("4:1", colour::blue, "title '{/:Italic σ}_{yy}'") + ", " +
                   line("5:1", colour::vermilion, "title '-{/:Italic σ}_{xy}'") +
                   ", $p using 6:1 with lines " + dashes +
-                  " title 'weight above', $p using 7:1 with lines " + dashes +
+                  " title 'load from above', $p using 7:1 with lines " + dashes +
                   " notitle\nunset multiplot\n",
               2.2);
 }
