@@ -44,27 +44,32 @@ void plot_chute(const ChuteProfile& profile, const std::string& stem) {
     load_onto.push_back(profile.load_onto[k] * unit.factor);
     load_down.push_back(profile.load_down[k] * unit.factor);
   }
+  // A bed at rest has no range of its own.
+  const auto ends = std::minmax_element(velocity.begin(), velocity.end());
+  const double slowest = std::min(0.0, *ends.first), fastest = std::max(0.01, *ends.second);
   const std::string dashes = "dashtype 2 linewidth 1.2 linecolor '#000000'";
-  draw_figure(
-      stem, 2.2,
-      datablock("p", {height, velocity, fraction, onto, down, load_onto, load_down}) +
-          "set multiplot\nset yrange [0:" + number_text(height.back()) + "]\n" + panel(0, 3) +
-          "set ylabel 'height above the base / {/:Italic d}_p'\n"
-          "set xlabel 'velocity, {/:Italic u} / ({/:Italic g d}_p)^{1/2}'\nset xrange [0:*]\n"
-          "plot " +
-          line("2:1", colour::blue, "notitle") + "\n" + panel(1, 3) +
-          "unset ylabel\nset xlabel 'solid fraction {/:Italic φ}'\nset xrange [0:1]\n"
-          "plot " +
-          line("3:1", colour::blue, "notitle") + "\n" + panel(2, 3) + "set xlabel 'stress (" +
-          unit.name +
-          ")'\nset xrange [0:*]\nset key top right\n"
-          "plot " +
-          line("4:1", colour::blue, "title '{/:Italic σ}_{yy}'") + ", " +
-          line("5:1", colour::vermilion, "title '-{/:Italic σ}_{xy}'") +
-          ", $p using 6:1 with lines " + dashes +
-          " title 'weight above', $p using 7:1 with lines " + dashes +
-          " notitle\nunset multiplot\n",
-      2.2);
+  draw_figure(stem, 2.2,
+              datablock("p", {height, velocity, fraction, onto, down, load_onto, load_down}) +
+                  "set multiplot\nset yrange [0:" + number_text(height.back()) + "]\n" +
+                  panel(0, 3) +
+                  "set ylabel 'height above the base / {/:Italic d}_p'\n"
+                  "set xlabel 'velocity, {/:Italic u} / ({/:Italic g d}_p)^{1/2}'\nset xrange [" +
+                  number_text(slowest, 6) + ":" + number_text(1.05 * fastest, 6) +
+                  "]\n"
+                  "plot " +
+                  line("2:1", colour::blue, "notitle") + "\n" + panel(1, 3) +
+                  "unset ylabel\nset xlabel 'solid fraction {/:Italic φ}'\nset xrange [0:1]\n"
+                  "plot " +
+                  line("3:1", colour::blue, "notitle") + "\n" + panel(2, 3) +
+                  "set xlabel 'stress (" + unit.name +
+                  ")'\nset xrange [*<0:*]\nset key top right\n"
+                  "plot " +
+                  line("4:1", colour::blue, "title '{/:Italic σ}_{yy}'") + ", " +
+                  line("5:1", colour::vermilion, "title '-{/:Italic σ}_{xy}'") +
+                  ", $p using 6:1 with lines " + dashes +
+                  " title 'load from above', $p using 7:1 with lines " + dashes +
+                  " notitle\nunset multiplot\n",
+              2.2);
 }
 
 void plot_rheology(const std::vector<double>& inertial_number, const std::vector<double>& friction,
