@@ -118,8 +118,12 @@ function(mend_numbers folder)
   mend(${folder} force.cpp
     "error->all(file, line, \"Expected integer parameter in input script or data file\");"
     "rodpack::refuse_number(error,file,line,\"an integer\",str);")
-  mend(${folder} force.cpp "atof(dstr)" "rodpack::whole_word_number(error,file,line,dstr)")
-  mend(${folder} force.cpp "atoi(istr)" "rodpack::whole_word_integer(error,file,line,istr)")
+  # `error` where there is one: the first numbers are read before the object is made whose members these are.
+  mend(${folder} force.cpp "const double val = atof(dstr);" "double val = 0.;
+    if (!rodpack::is_number(dstr,val)) rodpack::refuse_number(error,file,line,\"a finite number\",str);")
+  mend(${folder} force.cpp "const int val = atoi(istr);" "int val = 0;
+    if (!rodpack::is_integer(istr,val))
+      rodpack::refuse_number(error,file,line,\"an integer of at most 2147483647\",str);")
   foreach(word 0 iarg+1)
     mend(${folder} run.cpp "ATOBIGINT(arg[${word}])"
       "rodpack::whole_word_steps(error,FLERR,arg[${word}])")

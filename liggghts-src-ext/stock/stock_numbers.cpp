@@ -28,19 +28,17 @@ void refuse_number(LAMMPS_NS::Error* error, const char* file, int line, const ch
   error->all(file, line, message.c_str());
 }
 
-double whole_word_number(LAMMPS_NS::Error* error, const char* file, int line, const char* text) {
+bool is_number(const char* text, double& value) {
   char* end = nullptr;
-  const double value = std::strtod(text, &end);
-  if (end == text || *end != '\0' || !std::isfinite(value))
-    refuse_number(error, file, line, "a finite number", text);
-  return value;
+  value = std::strtod(text, &end);
+  return end != text && *end == '\0' && std::isfinite(value);
 }
 
-int whole_word_integer(LAMMPS_NS::Error* error, const char* file, int line, const char* text) {
-  long long value = 0;
-  if (!read_whole_word(text, value) || value > INT_MAX || value < -INT_MAX)
-    refuse_number(error, file, line, "an integer of at most 2147483647", text);
-  return static_cast<int>(value);
+bool is_integer(const char* text, int& value) {
+  long long whole = 0;
+  if (!read_whole_word(text, whole) || whole > INT_MAX || whole < -INT_MAX) return false;
+  value = static_cast<int>(whole);
+  return true;
 }
 
 long long whole_word_steps(LAMMPS_NS::Error* error, const char* file, int line, const char* text) {

@@ -15,13 +15,13 @@ namespace rodpack {
 void refuse_number(LAMMPS_NS::Error* error, const char* file, int line, const char* expected,
                    const char* text);
 
-/// The finite number that the whole word is; stops the run where it is none.
-double whole_word_number(LAMMPS_NS::Error* error, const char* file, int line, const char* text);
+/// Reads the finite number that the whole word is; false where it is none.
+bool is_number(const char* text, double& value);
 
 /// The same of an integer of at most 2147483647 in magnitude.
-int whole_word_integer(LAMMPS_NS::Error* error, const char* file, int line, const char* text);
+bool is_integer(const char* text, int& value);
 
-/// The same of a number of steps, up to 9e18.
+/// A number of steps, up to 9e18; stops the run where the whole word is none.
 long long whole_word_steps(LAMMPS_NS::Error* error, const char* file, int line, const char* text);
 
 }  // namespace rodpack
