@@ -98,7 +98,7 @@ fix in all insert/line 1 template rods 1 per_line 1 x 0.01 0.09 y 0.05 z 0 total
 run 1
 )";
   EXPECT_THAT(run_liggghts(Deck().hertz().with(lines)).output,
-              HasSubstr("fix multisphere/ab (id motion): mass_scaling needs 'model "
+              HasSubstr("Fix multisphere/ab (id motion): mass_scaling needs 'model "
                         "spring_dashpot', which counts contacts; the pair style has another"));
 }
 
