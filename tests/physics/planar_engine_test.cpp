@@ -225,12 +225,8 @@ TEST(PlanarEngine, RestartGoesOnExactly) {
                {"off", "2 mass_scaling 2", "verlet/planar"},
                {"off", "2 mass_scaling 2", "verlet"}};
   for (const auto& [cap, order, style] : cases) {
-    const Vars vars = {{"rods", "15"},
-                       {"height", "0.08"},
-                       {"steps", "20000"},
-                       {"every", "1000"},
-                       {"order", order},
-                       {"extra", "restart 9000 r.*"},
+    const Vars vars = {{"rods", "15"},    {"height", "0.08"}, {"steps", "20000"},
+                       {"every", "1000"}, {"order", order},   {"extra", "restart 9000 r.*"},
                        {"style", style}};
     const auto run = run_liggghts(with_cap(deck, cap), vars);
     ASSERT_EQ(run.exit_code, 0) << run.output;

@@ -406,7 +406,8 @@ TEST(Beds, FiguresAreDrawn) {
   AccuracySettings settings;
   settings.bed_methods = {"ab3", "ab3e"};
   draw_beds(rows, settings, folder.string());
-  for (const char* name : {"beds_step", "beds_surface", "beds_stiffness", "beds_frontier", "beds_economy"})
+  for (const char* name :
+       {"beds_step", "beds_surface", "beds_stiffness", "beds_frontier", "beds_economy"})
     for (const char* suffix : {".png", ".svg"})
       EXPECT_GT(fs::file_size(folder / (std::string(name) + suffix)), 5000u) << name << suffix;
 }

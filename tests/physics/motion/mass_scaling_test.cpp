@@ -94,17 +94,18 @@ TEST(MassScaling, OtherContactModelsAreRefused) {
   const std::string lines = R"(
 fix rods all particletemplate/multisphere/spherocylinder 1 atom_type 1 type 1 aspect_ratio 2 diameter 3e-3 surface smooth density constant 2500 planar yes
 fix motion all multisphere/ab mass_scaling 3
+fix in all insert/line 1 template rods 1 per_line 1 x 0.01 0.09 y 0.05 z 0 total 1 interval 1
 run 1
 )";
   EXPECT_THAT(run_liggghts(Deck().hertz().with(lines)).output,
-              HasSubstr("fix multisphere/ab (id motion): mass_scaling needs 'model "
+              HasSubstr("Fix multisphere/ab (id motion): mass_scaling needs 'model "
                         "spring_dashpot', which counts contacts; the pair style has another"));
 }
 
 TEST(StableTimestep, IsTheFractionOfTheClosedForm) {
   // Order 2, S eta = 0.6: stability_limit.h; the mass as above; three digits, rounded down.
   const auto run = run_liggghts(R"(
-stable_timestep step order 2 mass_scaling 3 stiffness 1000 damping_ratio 0.2 aspect_ratio 5 diameter 3e-3 density 2500 fraction 0.9
+stable_timestep step order 2 mass_scaling 3 stiffness 1000 damping_ratio 0.2 aspect_ratio 5 diameter 3e-3 density 2500 steps_per_collision 2
 stable_timestep few order 2 mass_scaling 3 stiffness 1000 damping_ratio 0.2 aspect_ratio 5 diameter 3e-3 density 2500 steps_per_collision 100
 print "step=${step} few=${few}"
 )");

@@ -220,7 +220,9 @@ TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
     PlainScene plain(settings, start);
     plain.run(steps);
     ASSERT_GT(plain.touched(), 12u);
-    if (method.mass_scaling > 0) ASSERT_GT(plain.largest_factor(), 3);
+    if (method.mass_scaling > 0) {
+      ASSERT_GT(plain.largest_factor(), 3);
+    }
     PlanarScene scene(settings, start);
     scene.evaluate();
     scene.run(steps);
