@@ -106,8 +106,7 @@ void add_space_options(CLI::App& command, Input& input) {
           "--container", space.container,
           "in space: walls of the container, whose top is open, m [default: dump scene, else "
           "'container' of parameters.json, else the box bounds of the dump; a periodic direction "
-          "has no "
-          "walls]")
+          "has no walls]")
       ->expected(6)
       ->check(place())
       ->type_name("XLO XHI YLO YHI ZLO ZHI");

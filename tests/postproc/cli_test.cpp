@@ -96,13 +96,14 @@ TEST(CommandLine, BadDataExitsWithOneAndOneLineAndWritesNothing) {
 
 TEST(CommandLine, MissingColumnIsNamed) {
   const auto folder = fresh_folder();
-  put(folder / "spheres.dump", small_packing().spheres_frame(1));
-  const auto run = rodpack_command("orientation spheres.dump", folder);
+  auto bodies = small_packing().bodies_frame(1);
+  bodies.replace(bodies.find(" angle "), 7, " phi ");
+  put(folder / "bodies.dump", bodies);
+  const auto run = rodpack_command("orientation bodies.dump", folder);
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(
-      run.output,
-      "rodpack: spheres.dump:9: no column 'angle'; the columns are: id body type x y z radius "
-      "fx fy fz fsum\n");
+  EXPECT_THAT(run.output,
+              HasSubstr("rodpack: bodies.dump:9: no column 'angle'; the columns are: id type "
+                        "nspheres x y z phi vx vy vz "));
 }
 
 TEST(Orientation, WritesTableAndFigures) {
