@@ -84,6 +84,7 @@ std::string deposition_with_fields() {
 TEST(StressInTheRunAndAfterIt, AgreeInSpaceToTheDumpsPrecision) {
   std::map<std::string, std::string> vars = {{"particles", "30"},
                                              {"aspect_ratio", "3"},
+                                             {"surface", "coarse"},
                                              {"container_width", "0.018"},
                                              {"output_interval", "0.15"},
                                              {"out", "run"}};
