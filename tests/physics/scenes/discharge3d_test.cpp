@@ -23,10 +23,10 @@ constexpr double diameter = 3e-3, silo_width = 0.024;
 
 /// 100 spheres in a cylinder of 8 d_p, an orifice of 5 d_p: some seconds.
 Vars small_silo(const Vars& changes = {}) {
-  Vars vars = {{"particles", "100"},         {"container_width", "0.024"},
-               {"orifice_width", "0.015"},   {"settle_time", "0.05"},
-               {"flow_limit", "0.15"},       {"output_interval", "0.05"},
-               {"restart_interval", "0.03"}, {"out", "run"}};
+  Vars vars = {
+      {"particles", "100"},        {"container_width", "0.024"}, {"orifice_width", "0.015"},
+      {"settle_time", "0.05"},     {"column_fraction", "0.05"},  {"flow_limit", "0.15"},
+      {"output_interval", "0.05"}, {"restart_interval", "0.03"}, {"out", "run"}};
   for (const auto& [name, value] : changes) vars[name] = value;
   return vars;
 }
