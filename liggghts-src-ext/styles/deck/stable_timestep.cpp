@@ -38,6 +38,14 @@ std::string text_of(double value) {
   return text;
 }
 
+std::string variable_name(StyleArguments& arguments) {
+  const std::string name = arguments.word("NAME", a_variable);
+  if (!std::all_of(name.begin(), name.end(),
+                   [](unsigned char c) { return std::isalnum(c) || c == '_'; }))
+    arguments.reject("NAME", a_variable, name);
+  return name;
+}
+
 }  // namespace
 
 void StableTimestep::report(const std::string& line) const {
@@ -48,10 +56,7 @@ void StableTimestep::report(const std::string& line) const {
 
 void StableTimestep::command(int narg, char** arg) {
   StyleArguments arguments(lmp, "stable_timestep", narg, arg, 0);
-  const std::string name = arguments.word("NAME", a_variable);
-  if (!std::all_of(name.begin(), name.end(),
-                   [](unsigned char c) { return std::isalnum(c) || c == '_'; }))
-    arguments.reject("NAME", a_variable, name);
+  const std::string name = variable_name(arguments);
   rodpack::PackingLaw law = {};
   rodpack::ChainShape shape = {};
   double scaling = 0.0, density = 0.0, fraction = 0.9, fewest = 12.0;
