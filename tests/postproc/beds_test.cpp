@@ -194,7 +194,7 @@ TEST(Beds, ComparisonsCanBeChosen) {
 
 TEST(Beds, ComparisonsVaryOneThing) {
   const auto all = bed_comparisons({"builtin", "ab3"});
-  ASSERT_EQ(all.size(), 7u);
+  ASSERT_EQ(all.size(), 8u);
   for (const auto& comparison : all) {
     bool has_paper = false;
     for (const auto& model : comparison.models) {

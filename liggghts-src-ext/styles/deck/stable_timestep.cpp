@@ -2,6 +2,7 @@
 #include "stable_timestep.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -21,6 +22,8 @@ using namespace LAMMPS_NS;
 
 namespace {
 
+const char* const a_variable = "letters, digits and _";
+
 /// The largest number of three digits that is not above the step.
 std::string rounded_down(double step) {
   const double digit = std::pow(10.0, std::floor(std::log10(step)) - 2.0);
@@ -29,11 +32,31 @@ std::string rounded_down(double step) {
   return text;
 }
 
+std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string variable_name(StyleArguments& arguments) {
+  const std::string name = arguments.word("NAME", a_variable);
+  if (!std::all_of(name.begin(), name.end(),
+                   [](unsigned char c) { return std::isalnum(c) || c == '_'; }))
+    arguments.reject("NAME", a_variable, name);
+  return name;
+}
+
 }  // namespace
+
+void StableTimestep::report(const std::string& line) const {
+  if (comm->me != 0) return;
+  for (FILE* out : {screen, logfile})
+    if (out) std::fputs(line.c_str(), out);
+}
 
 void StableTimestep::command(int narg, char** arg) {
   StyleArguments arguments(lmp, "stable_timestep", narg, arg, 0);
-  const std::string name = arguments.word("NAME", "the name of a variable");
+  const std::string name = variable_name(arguments);
   rodpack::PackingLaw law = {};
   rodpack::ChainShape shape = {};
   double scaling = 0.0, density = 0.0, fraction = 0.9, fewest = 12.0;
@@ -80,17 +103,11 @@ void StableTimestep::command(int narg, char** arg) {
   const double effective = 0.5 * law.lightest_mass;
   const double damping = rodpack::damping_coefficient(law.damping_ratio, effective, law.stiffness);
   const double collision = rodpack::half_period(law.stiffness, damping, effective);
-  std::string value = rounded_down(std::min(fraction * limit, collision / fewest));
-  if (comm->me == 0) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "stable_timestep: %s s, %.3g of the limit %.3g s of order %d under mass scaling "
-                  "%g; %.3g steps per collision\n",
-                  value.c_str(), std::stod(value) / limit, limit, order, scaling,
-                  collision / std::stod(value));
-    for (FILE* out : {screen, logfile})
-      if (out) std::fputs(line, out);
-  }
+  const std::string value = rounded_down(std::min(fraction * limit, collision / fewest));
+  report("stable_timestep: " + value + " s, " + text_of(std::stod(value) / limit) +
+         " of the limit " + text_of(limit) + " s of order " + std::to_string(order) +
+         " under mass scaling " + text_of(scaling) + "; " + text_of(collision / std::stod(value)) +
+         " steps per collision\n");
   std::string words[] = {name, "string", value};
   char* set[] = {&words[0][0], &words[1][0], &words[2][0]};
   input->variable->set(3, set);

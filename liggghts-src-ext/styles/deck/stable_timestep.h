@@ -8,6 +8,7 @@ CommandStyle(stable_timestep, StableTimestep)
 #ifndef LMP_STABLE_TIMESTEP_H
 #define LMP_STABLE_TIMESTEP_H
 
+#include <string>
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -18,6 +19,9 @@ class StableTimestep : protected Pointers {
  public:
   explicit StableTimestep(LAMMPS* lmp) : Pointers(lmp) {}
   void command(int narg, char** arg);
+
+ private:
+  void report(const std::string& line) const;
 };
 
 }  // namespace LAMMPS_NS

@@ -334,9 +334,10 @@ std::string speaker(const Words& command) {
   const std::string id = command.size() > 1 ? command[1] : "";
   if (command[0] == "fix" || command[0] == "compute")
     return (command[0] == "fix" ? "Fix " : "Compute ") + command[3] + " (id " + id + "): ";
-  return command[0] == "pair_style"  ? "tangential spring_dashpot: "
-         : command[0] == "parameter" ? "parameter"
-                                     : command[0] + " " + id + ": ";
+  return command[0] == "pair_style"        ? "tangential spring_dashpot: "
+         : command[0] == "parameter"       ? "parameter"
+         : command[0] == "stable_timestep" ? "stable_timestep: "
+                                           : command[0] + " " + id + ": ";
 }
 
 struct Answer {
