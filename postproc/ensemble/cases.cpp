@@ -258,6 +258,8 @@ Json common_parameters(const Json& parameters) {
   Json common = Json::object();
   for (const auto& [key, value] : parameters.items())
     if (!not_of_the_case.count(key)) common[key] = value;
+  // None, as in runs of decks that did not have the parameter yet.
+  if (common.contains("mass_scaling") && common["mass_scaling"] == 0) common.erase("mass_scaling");
   return common;
 }
 

@@ -31,7 +31,7 @@ struct FoundCases {
 
 /// parameters.json less what tells repetitions apart (seed), where and how a run was computed (out,
 /// resume, preset, engine, skins, intervals of output, limit of the relaxation) and by which
-/// version.
+/// version; a mass_scaling of 0 is none.
 nlohmann::json common_parameters(const nlohmann::json& parameters);
 
 /// Finds the runs in `folders` and sorts them by cases. A folder with a cases.json is a study,

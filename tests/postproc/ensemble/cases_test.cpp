@@ -71,6 +71,18 @@ TEST(CaseName, SaysShapeAndWhatDiffersFromThePaper) {
   EXPECT_EQ(with({{"friction", 0.1}}), "smooth-AR5-mu0.1");
 }
 
+TEST(Cases, RunsWithoutMassScalingGoWithThoseOfBeforeThereWasAny) {
+  const auto folder = fresh_folder();
+  run_of(1).write(folder / "a");
+  run_of(2, {{"mass_scaling", 0}}).write(folder / "b");
+  run_of(3, {{"mass_scaling", 5}}).write(folder / "c");
+  const auto found = find_cases({folder.string()}, folder.string(), false);
+  ASSERT_EQ(found.cases.size(), 2U);
+  EXPECT_EQ(found.cases[0].runs.size() + found.cases[1].runs.size(), 3U);
+  for (const auto& one : found.cases)
+    EXPECT_EQ(one.parameters.contains("mass_scaling"), one.runs.front().seed == 3);
+}
+
 TEST(Cases, RunsAreSortedByTheirParametersWhateverTheOrderOfFolders) {
   const auto folder = fresh_folder();
   run_of(2, {{"engine", "spheres"}}).write(folder / "a");
