@@ -114,22 +114,22 @@ function(mend_numbers folder)
   endforeach()
   mend(${folder} force.cpp
     "error->all(file, line, \"Expected floating point parameter in input script or data file\");"
-    "rodpack::refuse_number(error,file,line,\"a number\",str);")
+    "rodpack::refuse_number(error,input,file,line,\"a number\",str);")
   mend(${folder} force.cpp
     "error->all(file, line, \"Expected integer parameter in input script or data file\");"
-    "rodpack::refuse_number(error,file,line,\"an integer\",str);")
+    "rodpack::refuse_number(error,input,file,line,\"an integer\",str);")
   # `error` where there is one: the first numbers are read before the object is made whose members these are.
   mend(${folder} force.cpp "const double val = atof(dstr);" "double val = 0.;
-    if (!rodpack::is_number(dstr,val)) rodpack::refuse_number(error,file,line,\"a finite number\",str);")
+    if (!rodpack::is_number(dstr,val)) rodpack::refuse_number(error,input,file,line,\"a finite number\",str);")
   mend(${folder} force.cpp "const int val = atoi(istr);" "int val = 0;
     if (!rodpack::is_integer(istr,val))
-      rodpack::refuse_number(error,file,line,\"an integer of at most 2147483647\",str);")
+      rodpack::refuse_number(error,input,file,line,\"an integer of at most 2147483647\",str);")
   foreach(word 0 iarg+1)
     mend(${folder} run.cpp "ATOBIGINT(arg[${word}])"
-      "rodpack::whole_word_steps(error,FLERR,arg[${word}])")
+      "rodpack::whole_word_steps(error,input,FLERR,arg[${word}])")
   endforeach()
   mend(${folder} update.cpp "bigint newstep = ATOBIGINT(arg[0])"
-    "bigint newstep = rodpack::whole_word_steps(error,FLERR,arg[0])")
+    "bigint newstep = rodpack::whole_word_steps(error,input,FLERR,arg[0])")
 endfunction()
 
 # Restart files are whole, or refused. Their reader believed everything.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "error.h"
+#include "input.h"
 
 namespace rodpack {
 
@@ -22,9 +23,11 @@ bool read_whole_word(const char* text, long long& value) {
 
 }  // namespace
 
-void refuse_number(LAMMPS_NS::Error* error, const char* file, int line, const char* expected,
-                   const char* text) {
-  const std::string message = std::string("expected ") + expected + ", got '" + text + "'";
+void refuse_number(LAMMPS_NS::Error* error, const LAMMPS_NS::Input* input, const char* file,
+                   int line, const char* expected, const char* text) {
+  std::string message =
+      std::string("expected ") + expected + ", got '" + text + "' in the arguments";
+  for (int k = 0; k < input->narg; ++k) message += std::string(" ") + input->arg[k];
   error->all(file, line, message.c_str());
 }
 
@@ -41,10 +44,11 @@ bool is_integer(const char* text, int& value) {
   return true;
 }
 
-long long whole_word_steps(LAMMPS_NS::Error* error, const char* file, int line, const char* text) {
+long long whole_word_steps(LAMMPS_NS::Error* error, const LAMMPS_NS::Input* input, const char* file,
+                           int line, const char* text) {
   long long value = 0;
   if (!read_whole_word(text, value))
-    refuse_number(error, file, line, "a whole number of steps", text);
+    refuse_number(error, input, file, line, "a whole number of steps", text);
   return value;
 }
 

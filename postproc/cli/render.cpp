@@ -28,11 +28,10 @@ struct RenderArguments {
   std::string stem = "packing";
 };
 
-void draw(const RenderArguments& options) {
+void draw(const RenderArguments& options, bool in_space) {
   auto render = options.render;
   render.packing = options.input.packing;
   render.largest = options.largest;
-  const bool in_space = options.input.is_in_space();
   render.colour = options.colour.value_or(in_space ? SphereColour::fsum : SphereColour::force);
   if (in_space) {
     render.space = options.input.space;
@@ -44,7 +43,6 @@ void draw(const RenderArguments& options) {
     return;
   }
   const auto& window = options.window;
-  if (!window.empty()) require_window(window);
   options.input.for_frames([&](const Frame& frame) {
     if (!window.empty()) {
       const double unit = options.in_diameters ? sphere_diameter(frame, render.packing) : 1;
@@ -128,11 +126,13 @@ void add_render(CLI::App& app) {
   add_output(*command, options->stem);
 
   command->callback([options, command] {
-    if (options->input.is_in_space())
+    if (!options->window.empty()) require_window(options->window);
+    const bool in_space = options->input.is_in_space();
+    if (in_space)
       refuse_in_space(*command, {"--window", "--in-dp"});
     else
       refuse_in_plane(*command, {"--azimuth", "--elevation"});
-    draw(*options);
+    draw(*options, in_space);
   });
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -65,9 +66,12 @@ TEST(StressInTheRunAndAfterIt, AgreeToTheDumpsPrecision) {
 
 namespace {
 
-// The deck in space, with the compute at the places of a file beside its dumps.
+// The deck in space, with the compute at the places of a file beside its dumps, for another folder.
 std::string deposition_with_fields() {
-  std::string deck = text_of(RODPACK_REPOSITORY "/inputs/deposition3d/in.deposition3d");
+  const std::regex beside("parameter include \\.\\./");
+  std::string deck =
+      std::regex_replace(text_of(RODPACK_REPOSITORY "/inputs/deposition3d/in.deposition3d"), beside,
+                         "include " RODPACK_REPOSITORY "/inputs/");
   const std::string before = "dump bodies   all";
   const auto at = deck.find(before);
   if (at == std::string::npos) throw std::runtime_error("the deck has no '" + before + "'");

@@ -25,7 +25,7 @@ constexpr int rings_of_a_cap = 4;   // from its pole to where the tube begins
 
 // A circle about a straight line in the plane of the centreline, in the body's frame, m; a point
 // where its radius is 0.
-struct Ring {
+struct SurfaceRing {
   double x, y;    // of its middle
   double turned;  // of its normal from the x axis towards -y, rad
   double radius;
@@ -33,7 +33,7 @@ struct Ring {
 
 struct Centreline {
   std::vector<std::array<double, 2>> points;
-  std::vector<double> turned;  // of its direction at these points, as Ring
+  std::vector<double> turned;  // of its direction at these points, as SurfaceRing
 };
 
 // One point for a sphere; of an arc points some 10 degrees apart.
@@ -54,8 +54,8 @@ Centreline centreline_of(int spheres, double half_length, double radius, double 
 }
 
 // From one pole to the other.
-std::vector<Ring> rings_of(const Centreline& line, double radius) {
-  std::vector<Ring> rings;
+std::vector<SurfaceRing> rings_of(const Centreline& line, double radius) {
+  std::vector<SurfaceRing> rings;
   const auto add_cap_ring = [&](std::size_t at, int step, double side) {
     const double angle = 90 * degree * step / rings_of_a_cap;
     const double out = step == rings_of_a_cap ? 0 : side * radius * std::cos(angle);
@@ -74,7 +74,7 @@ std::vector<Ring> rings_of(const Centreline& line, double radius) {
 class CapsuleMesh {
  public:
   /// `axes`: of the body; `centre`: of mass, m.
-  void add(const std::vector<Ring>& rings, const std::array<Vector3, 3>& axes,
+  void add(const std::vector<SurfaceRing>& rings, const std::array<Vector3, 3>& axes,
            const Vector3& centre, vtkIdType row) {
     vtkIdType earlier = -1;
     for (std::size_t k = 0; k < rings.size(); ++k) {
@@ -89,7 +89,7 @@ class CapsuleMesh {
   std::vector<vtkIdType> row_of_cell;
 
  private:
-  vtkIdType add_ring(const Ring& ring, int corners, const std::array<Vector3, 3>& axes,
+  vtkIdType add_ring(const SurfaceRing& ring, int corners, const std::array<Vector3, 3>& axes,
                      const Vector3& centre) {
     const vtkIdType first = points->GetNumberOfPoints();
     for (int k = 0; k < corners; ++k) {

@@ -421,8 +421,8 @@ TEST_P(KeywordSweep, EveryWrongValueIsRefusedWithALineThatNamesArgumentValueAndE
 INSTANTIATE_TEST_SUITE_P(Of, KeywordSweep, testing::ValuesIn(scenes()),
                          [](const auto& each) { return each.param.name(); });
 
-// The numbers of the contact law come through LIGGGHTS's property/global, which knows no inf; our
-// models see the number, not the word.
+// The numbers of the contact law come through LIGGGHTS's property/global; our models see the
+// number, not the word, and LIGGGHTS itself refuses what is no finite one.
 TEST(KeywordSweepOfTheContactLaw, EveryWrongPropertyIsRefused) {
   const Page page = read_page(pages / "gran_model_spring_dashpot.md");
   const std::string right = sphere() + "fix move all nve/sphere\n";
@@ -435,14 +435,15 @@ TEST(KeywordSweepOfTheContactLaw, EveryWrongPropertyIsRefused) {
           "no " + argument.name, count);
     Values values;
     leave_interval(argument.takes, values);
-    values.wrong.emplace_back("1e400");
-    for (const auto& value : values.wrong) {
+    const auto judge_value = [&](const std::string& value, const std::vector<std::string>& says) {
       const Scene scene{"", std::regex_replace(right, line, "$01" + value + "\n"), "", ""};
-      const std::string number = digits(value == "1e400" ? HUGE_VAL : std::stod(value));
-      judge(run(scene, "run 1"),
-            {"property/global " + argument.name + " is '" + number + "'", values.expected},
-            argument.name + " " + value, count);
-    }
+      judge(run(scene, "run 1"), says, argument.name + " " + value, count);
+    };
+    for (const auto& value : values.wrong)
+      judge_value(value,
+                  {"property/global " + argument.name + " is '" + digits(std::stod(value)) + "'",
+                   values.expected});
+    judge_value("1e400", {"property/global " + argument.name, "a finite number, got '1e400'"});
   }
   EXPECT_EQ(count.clear, 25);  // five properties
 }

@@ -51,7 +51,7 @@ json scene_with(const std::vector<json>& walls) {
           {"templates", json::array()}};
 }
 
-class Scene : public testing::Test {
+class SceneOfADeck : public testing::Test {
  protected:
   // A frame of bodies on or off the walls, in a box from 0 to 0.1.
   Frame frame(const std::vector<Vector3>& places, const std::string& flags = "ff ff ff") const {
@@ -80,7 +80,7 @@ class Scene : public testing::Test {
   fs::path folder_ = fresh_folder();
 };
 
-TEST_F(Scene, PlanesNextToTheParticlesAreTheContainer) {
+TEST_F(SceneOfADeck, PlanesNextToTheParticlesAreTheContainer) {
   tell_walls({plane("floor", "z", 0.01, 1), plane("far", "x", -0.02), plane("left", "x", 0.005),
               plane("right", "x", 0.09, -1), plane("front", "y", 0.0), plane("back", "y", 0.1)});
   const auto walls = walls_in_space(middle());
@@ -92,7 +92,7 @@ TEST_F(Scene, PlanesNextToTheParticlesAreTheContainer) {
   EXPECT_THAT(walls.notes, IsEmpty());
 }
 
-TEST_F(Scene, AnUprightCylinderIsTheSideWall) {
+TEST_F(SceneOfADeck, AnUprightCylinderIsTheSideWall) {
   tell_walls({plane("floor", "z", 0.0), cylinder("side", "z", {0.05, 0.04, 0}, 0.04),
               cylinder("wide", "z", {0.05, 0.04, 0}, 0.06)});
   const auto walls = walls_in_space(middle());
@@ -104,7 +104,7 @@ TEST_F(Scene, AnUprightCylinderIsTheSideWall) {
 }
 
 // A wall that is not understood is named, and the box that stands in for it is too.
-TEST_F(Scene, WhatIsNoWallOfTheContainerIsNamedAndNotTaken) {
+TEST_F(SceneOfADeck, WhatIsNoWallOfTheContainerIsNamedAndNotTaken) {
   auto of_group = plane("some", "x", 0.02);
   of_group["group"] = "rods";
   tell_walls({mesh("hopper"), plane("half", "x", 0.055),
@@ -131,12 +131,12 @@ TEST_F(Scene, WhatIsNoWallOfTheContainerIsNamedAndNotTaken) {
                   AllOf(HasSubstr("fix edge, a wall of another kind"))));
 }
 
-TEST_F(Scene, TheFreeSideOfASolidPlaneDecidesWhereParticlesHaveCrossedIt) {
-  tell_walls({plane("floor", "z", 0.03, 1)});
-  EXPECT_EQ(walls_in_space(middle()).low[2], 0.03);
+TEST_F(SceneOfADeck, TheFreeSideOfASolidPlaneDecidesWhereParticlesHaveCrossedIt) {
+  tell_walls({plane("floor", "z", 0.0205, 1)});  // half a millimetre above a centre
+  EXPECT_EQ(walls_in_space(middle()).low[2], 0.0205);
 }
 
-TEST_F(Scene, OptionsComeBeforeTheSceneAndItBeforeParameters) {
+TEST_F(SceneOfADeck, OptionsComeBeforeTheSceneAndItBeforeParameters) {
   tell_walls({plane("floor", "z", 0.01)});
   put(folder_ / "parameters.json",
       "{\"vertical_axis\": \"y\", \"container\": \"box\", \"container_width_m\": 0.07, "
@@ -154,7 +154,7 @@ TEST_F(Scene, OptionsComeBeforeTheSceneAndItBeforeParameters) {
   EXPECT_EQ(find_friction(middle(), "", 0.4).coefficient, 0.4);
 }
 
-TEST_F(Scene, APlaneHasSidesAndAFloor) {
+TEST_F(SceneOfADeck, APlaneHasSidesAndAFloor) {
   auto scene = scene_with({plane("floor", "y", 0.01), plane("left", "x", 0.02),
                            plane("plate", "z", -0.1), mesh("hopper")});
   scene["gravity_m_s2"] = {0, -9.81, 0};
@@ -180,7 +180,7 @@ TEST_F(Scene, APlaneHasSidesAndAFloor) {
   EXPECT_THAT(read_packing(flat).walls.notes.back(), HasSubstr("gravity is (3, -9, 0) m/s2"));
 }
 
-TEST_F(Scene, GravitySaysWhichAxisPointsUp) {
+TEST_F(SceneOfADeck, GravitySaysWhichAxisPointsUp) {
   auto scene = scene_with({});
   for (const std::size_t axis : {0U, 1U, 2U}) {
     scene["gravity_m_s2"] = {axis == 0 ? -1 : 0, axis == 1 ? -1 : 0, axis == 2 ? -1 : 0};
@@ -202,7 +202,7 @@ TEST_F(Scene, GravitySaysWhichAxisPointsUp) {
                                                  "along +z")));
 }
 
-TEST_F(Scene, FrictionIsTakenWhereAllTypesHaveTheSame) {
+TEST_F(SceneOfADeck, FrictionIsTakenWhereAllTypesHaveTheSame) {
   auto scene = scene_with({});
   scene["friction"] = {{0.3, 0.3}, {0.3, 0.3}};
   tell(scene);
@@ -220,7 +220,7 @@ TEST_F(Scene, FrictionIsTakenWhereAllTypesHaveTheSame) {
   EXPECT_FALSE(find_friction(middle(), "", {}).coefficient);
 }
 
-TEST_F(Scene, IsThatOfTheFramesTimestep) {
+TEST_F(SceneOfADeck, IsThatOfTheFramesTimestep) {
   const auto other = scene_with({});
   auto later = other;
   later["timestep"] = 70;
@@ -247,7 +247,7 @@ TEST_F(Scene, IsThatOfTheFramesTimestep) {
   EXPECT_FALSE(find_scene(in_dumps));
 }
 
-TEST_F(Scene, WhatIsMissingOrWrongIsSaidWithItsKey) {
+TEST_F(SceneOfADeck, WhatIsMissingOrWrongIsSaidWithItsKey) {
   const auto good =
       scene_with({plane("floor", "z", 0), cylinder("side", "z", {0, 0, 0}, 1), mesh("hopper")});
   EXPECT_EQ(refusal(good), "");
@@ -282,7 +282,7 @@ TEST_F(Scene, WhatIsMissingOrWrongIsSaidWithItsKey) {
 }
 
 // A folder with dumps and a scene needs nothing else.
-TEST_F(Scene, AnalyseTakesItAndSaysSo) {
+TEST_F(SceneOfADeck, AnalyseTakesItAndSaysSo) {
   SyntheticPacking packing;
   packing.fill();
   put(folder_ / "mine/bodies.2000.dump", packing.bodies_frame(2000));

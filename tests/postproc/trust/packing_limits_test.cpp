@@ -87,6 +87,7 @@ TEST(PackingLimits, PeriodsAreAtLeastAsLongAsAParticle) {
     options.walls = {0, period, 0};
     auto frame = two_rods("0.2");
     frame.periodic[0] = true;
+    frame.bounds[0] = {0, period};
     return error_of([&] { read_packing(frame, options); });
   };
   EXPECT_EQ(error(0.0151), "no error");

@@ -15,13 +15,13 @@ namespace {
 constexpr double no_wall = std::numeric_limits<double>::infinity();
 
 // What the averages cover: between the walls, a little above the surface.
-struct Corners {
+struct OppositeCorners {
   Vector low, high;
 };
 
-Corners corners_of(const SpatialPacking& packing, double above) {
+OppositeCorners corners_of(const SpatialPacking& packing, double above) {
   const auto& walls = packing.walls;
-  Corners corners{walls.low, walls.high};
+  OppositeCorners corners{walls.low, walls.high};
   if (walls.round)
     for (const std::size_t which : {0U, 1U}) {
       corners.low[walls.horizontal(which)] = walls.middle[which] - walls.radius;
@@ -48,7 +48,7 @@ UprightContainer counted_container(const SpatialPacking& packing, Normalisation 
   return container;
 }
 
-Grid grid_between(const Corners& corners, double spacing) {
+Grid grid_between(const OppositeCorners& corners, double spacing) {
   try {
     return checked_grid(filling_grid(3, corners.low, corners.high, spacing));
   } catch (const std::invalid_argument& reason) {
@@ -57,7 +57,7 @@ Grid grid_between(const Corners& corners, double spacing) {
 }
 
 // One plane of such a grid.
-Grid grid_of(const Slice& slice, Corners corners, double spacing) {
+Grid grid_of(const Slice& slice, OppositeCorners corners, double spacing) {
   if (slice.at < corners.low[slice.axis] || slice.at > corners.high[slice.axis])
     throw DataError(std::string("slice: expected ") + "xyz"[slice.axis] + " of " +
                     number_text(corners.low[slice.axis]) + " to " +
