@@ -91,12 +91,12 @@ case $scene in
   quick | paper | economy | deposition3d) build/bin/rodpack analyse "$out" ;;
   discharge)
     build/bin/rodpack discharge "$out" -o "$out/analysis/outflow"
-    build/bin/rodpack render "$out/dumps/spheres.*.dump" -o "$out/analysis/packing"
+    build/bin/rodpack render "$out/dumps/spheres.*.dump" --colour fsum -o "$out/analysis/packing"
     ;;
   discharge3d) build/bin/rodpack discharge "$out" -o "$out/analysis/outflow" ;;
   incline)
     build/bin/rodpack incline "$out" -o "$out/analysis/chute"
-    build/bin/rodpack render "$out/dumps/spheres.*.dump" -o "$out/analysis/packing"
+    build/bin/rodpack render "$out/dumps/spheres.*.dump" --colour fsum -o "$out/analysis/packing"
     ;;
 esac
 echo "Figures:"

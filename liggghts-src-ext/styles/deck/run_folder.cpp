@@ -73,11 +73,11 @@ std::string RunFolder::resume(const std::string& folder, const std::string& rest
   const long long step = update->ntimestep;
   if (!std::ifstream(folder + "/.lock")) return "no folder that 'run_folder open' has opened";
   std::string fault = remove_unfinished(folder);
-  for (const char* part : {"/dumps", "/collector", "/restart"})
+  for (const char* part : {"/dumps", "/silo", "/collector", "/restart"})
     if (fault.empty()) fault = remove_unfinished(folder + part);
   for (const char* table : {"/energies.csv", "/discharge.csv", "/flow.csv"})
     if (fault.empty()) fault = cut_table(folder + table, step);
-  for (const char* part : {"/dumps", "/collector"})
+  for (const char* part : {"/dumps", "/silo", "/collector"})
     if (fault.empty()) fault = remove_later_dumps(folder + part, step);
   if (fault.empty()) fault = rename_later_restarts(folder + "/restart", step, restart);
   if (!fault.empty()) return fault;

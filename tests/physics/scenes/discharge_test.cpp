@@ -148,7 +148,8 @@ TEST(Discharge, GateStopsTheFlowAndBothBedsComeToRest) {
   const std::string step = std::to_string(result.at("step").get<long>());
   const Table heap = read_dump(folder / ("collector/bodies." + step + ".dump"));
   EXPECT_EQ(heap.rows(), out);
-  for (const std::string bed : {"dumps", "collector"}) {
+  EXPECT_EQ(read_dump(folder / ("silo/bodies." + step + ".dump")).rows(), 200 - out);
+  for (const std::string bed : {"dumps", "silo", "collector"}) {
     const Table bodies = read_dump(folder / (bed + "/bodies." + step + ".dump"));
     const Table contacts = read_dump(folder / (bed + "/contacts." + step + ".dump"));
     double weight = 0, up = 0, along = 0;
@@ -167,6 +168,8 @@ TEST(Discharge, GateStopsTheFlowAndBothBedsComeToRest) {
   const auto said = run_rodpack("discharge run", run.folder);
   EXPECT_EQ(said.exit_code, 0) << said.output;
   EXPECT_THAT(said.output, testing::HasSubstr("closed at the end"));
+  const auto profile = run_rodpack("profile run/silo/bodies." + step + ".dump", run.folder);
+  EXPECT_EQ(profile.exit_code, 0) << profile.output;
 }
 
 // While the gate waits, slides (for 9 ms), and when it has closed.
