@@ -8,7 +8,7 @@
 namespace rodpack {
 
 /// A part of a page, with its heading; listed at the top of the page.
-struct Section {
+struct PageSection {
   std::string id;
   std::string heading;  // HTML
   std::string content;  // HTML
@@ -18,7 +18,7 @@ struct Section {
 struct Page {
   std::string title;  // plain text
   std::string lead;   // the paragraph below the title
-  std::vector<Section> sections;
+  std::vector<PageSection> sections;
 };
 
 /// Writes the page as one HTML document that needs no other file and no network.
