@@ -112,7 +112,8 @@ TEST(SpatialFields, LevelsIntegrateToTheVerticalProfile) {
   const auto fields = sample.fields();
   const auto level = [&](const std::string& name, std::size_t component, std::size_t k) {
     const auto& values = field_named(fields, name).values[component];
-    const auto places = static_cast<std::size_t>(grid.count[0] * grid.count[1]);
+    const auto places =
+        static_cast<std::size_t>(grid.count[0]) * static_cast<std::size_t>(grid.count[1]);
     double sum = 0;
     for (std::size_t i = 0; i < places; ++i) sum += values[k * places + i];
     return sum * grid.spacing[0] * grid.spacing[1] / 64;  // the cross-section
