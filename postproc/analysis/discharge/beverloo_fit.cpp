@@ -2,38 +2,14 @@
 #include "analysis/discharge/beverloo_fit.h"
 
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <string>
 
+#include "analysis/line_fit.h"
 #include "reading/dump.h"
 
 namespace rodpack {
 namespace {
-
-// The straight line y = a + b x of least squares.
-struct Line {
-  double a, b;
-  double mean_x, sxx;
-  double residual;  // sum of squares
-};
-
-Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto n = static_cast<double>(x.size());
-  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
-  const double my = std::accumulate(y.begin(), y.end(), 0.0) / n;
-  double sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    sxx += (x[i] - mx) * (x[i] - mx);
-    sxy += (x[i] - mx) * (y[i] - my);
-  }
-  Line line{my - sxy / sxx * mx, sxy / sxx, mx, sxx, 0};
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double off = y[i] - line.a - line.b * x[i];
-    line.residual += off * off;
-  }
-  return line;
-}
 
 std::vector<double> logarithms(const std::vector<double>& values, double less) {
   std::vector<double> result;
@@ -60,7 +36,7 @@ void fit_exponent(const std::vector<double>& width, const std::vector<double>& r
   std::vector<double> by_k;
   for (const double x : width) by_k.push_back(1 / (x - best));
   const double own = fit_line(by_k, column).residual;
-  const Line line = fit_line(column, y);
+  const LineFit line = fit_line(column, y);
   fit.exponent = line.b;
   fit.exponent_error = std::sqrt(line.residual / (static_cast<double>(width.size()) - 3) / own);
 }
@@ -76,7 +52,7 @@ BeverlooFit fit_beverloo(const std::vector<double>& width, const std::vector<dou
                           " widths with a steady flow, expected at least 3");
   std::vector<double> root;
   for (const double each : rate) root.push_back(std::pow(each, 1 / law));
-  const Line line = fit_line(width, root);
+  const LineFit line = fit_line(width, root);
   if (!(line.b > 0))
     throw TooFewParticles("Beverloo's law: expected rates that rise with the width of the orifice");
   const auto n = static_cast<double>(width.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/line_fit.h"
 #include "reading/dump.h"
 
 namespace rodpack {
@@ -19,13 +20,7 @@ ChuteMotion measure_motion(const std::vector<double>& time, const std::vector<do
   if (time.size() < 3)
     throw TooFewParticles("incline: the bed moves, expected at least 3 frames, found " +
                           std::to_string(time.size()));
-  const double middle = std::accumulate(time.begin(), time.end(), 0.0) / n;
-  double squares = 0, products = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    squares += (time[i] - middle) * (time[i] - middle);
-    products += (time[i] - middle) * (velocity[i] - motion.velocity);
-  }
-  motion.acceleration = products / squares;
+  motion.acceleration = fit_line(time, velocity).b;
   const double changed = motion.acceleration * (time.back() - time.front());
   motion.state = std::abs(changed) < change * std::abs(motion.velocity) ? ChuteState::steady
                  : changed * motion.velocity > 0                        ? ChuteState::accelerating

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "analysis/fields.h"
+#include "analysis/line_fit.h"
 #include "reading/angles.h"
 #include "reading/checks/planar.h"
 #include "reading/csv_file.h"
@@ -47,10 +48,9 @@ void ChuteSample::start(const Packing& packing) {
   const double spacing = sums_.scale / per_scale;
   for (double y = low; y <= top; y = low + static_cast<double>(sums_.height.size()) * spacing)
     sums_.height.push_back(y);
-  for (auto* column :
-       {&sums_.solid_fraction, &sums_.density, &sums_.xx, &sums_.xy, &sums_.yx, &sums_.yy,
-        &sums_.load_onto, &sums_.load_down, &momentum_[0], &momentum_[1], &density_slope_,
-        &momentum_slope_, &flux_[0], &flux_[1], &flux_[2], &flux_[3]})
+  for (auto* column : {&sums_.solid_fraction, &sums_.density, &sums_.xx, &sums_.xy, &sums_.yx,
+                       &sums_.yy, &sums_.load_onto, &sums_.load_down, &momentum_[0], &momentum_[1],
+                       &density_slope_, &momentum_slope_, &flux_xx_, &flux_xy_, &flux_yy_})
     column->assign(sums_.height.size(), 0);
 }
 
@@ -71,9 +71,9 @@ void ChuteSample::add_bodies(const Frame& bodies) {
       momentum_[0][k] += m * vx[i];
       momentum_[1][k] += m * vy[i];
       momentum_slope_[k] += slope * vx[i];
-      flux_[0][k] += m * vx[i] * vx[i];
-      flux_[1][k] += m * vx[i] * vy[i];
-      flux_[3][k] += m * vy[i] * vy[i];
+      flux_xx_[k] += m * vx[i] * vx[i];
+      flux_xy_[k] += m * vx[i] * vy[i];
+      flux_yy_[k] += m * vy[i] * vy[i];
       const double above = mass[i] * share_above(sums_.height[k], y[i], w) / width_;
       sums_.load_onto[k] += onto * above;
       sums_.load_down[k] += down * above;
@@ -129,9 +129,9 @@ ChuteProfile ChuteSample::result() const {
     const double u = momentum_[0][k] / rho, v = momentum_[1][k] / rho;
     profile.velocity[k] = u;
     profile.shear_rate[k] = (momentum_slope_[k] - u * density_slope_[k]) / rho;
-    profile.kinetic_xy[k] = (flux_[1][k] - rho * u * v) / frames_;
-    profile.kinetic_yy[k] = (flux_[3][k] - rho * v * v) / frames_;
-    profile.xx[k] += (flux_[0][k] - rho * u * u) / frames_;
+    profile.kinetic_xy[k] = (flux_xy_[k] - rho * u * v) / frames_;
+    profile.kinetic_yy[k] = (flux_yy_[k] - rho * v * v) / frames_;
+    profile.xx[k] += (flux_xx_[k] - rho * u * u) / frames_;
     profile.xy[k] += profile.kinetic_xy[k];
     profile.yx[k] += profile.kinetic_xy[k];
     profile.yy[k] += profile.kinetic_yy[k];
@@ -147,19 +147,10 @@ std::optional<ShearLaw> fit_shear(const ChuteProfile& profile) {
     y.push_back(std::log(profile.shear_rate[k]));
   }
   if (x.size() < 5) return std::nullopt;
-  const auto n = static_cast<double>(x.size());
-  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
-  const double my = std::accumulate(y.begin(), y.end(), 0.0) / n;
-  double sxx = 0, sxy = 0, syy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    sxx += (x[i] - mx) * (x[i] - mx);
-    sxy += (x[i] - mx) * (y[i] - my);
-    syy += (y[i] - my) * (y[i] - my);
-  }
-  const double exponent = sxy / sxx;
-  const double residual = std::max(0.0, syy - exponent * sxy) / (n - 2);
+  const LineFit line = fit_line(x, y);
+  const double variance = line.residual / (static_cast<double>(x.size()) - 2);
   const double correlated = 2 * std::sqrt(pi) * per_scale;
-  return ShearLaw{exponent, std::sqrt(residual / sxx * correlated)};
+  return ShearLaw{line.b, std::sqrt(variance / line.sxx * correlated)};
 }
 
 std::optional<ChuteBulk> bulk_of(const ChuteProfile& profile) {

@@ -64,7 +64,8 @@ class ChuteSample {
   double width_ = 0;
   int frames_ = 0;
   ChuteProfile sums_;
-  std::vector<double> momentum_[2], density_slope_, momentum_slope_, flux_[4];
+  std::vector<double> momentum_[2], density_slope_, momentum_slope_;
+  std::vector<double> flux_xx_, flux_xy_, flux_yy_;
 };
 
 /// How the shear rate grows with the depth h below the surface, du/dy = a h^n, from 3 w above the
