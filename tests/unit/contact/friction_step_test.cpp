@@ -136,6 +136,61 @@ TEST(FrictionStep, AVelocityAcrossTheForceMakesItJump) {
   }
 }
 
+// The slide goes on against the velocity, which has turned; the cap of 1 N over the damping of 2
+// kg/s is 0.5 m/s.
+TEST(FrictionStep, AFastSlideActsAgainstTheVelocity) {
+  FrictionStep step = contact();
+  step.slid = true;
+  step.spring_before[0] = 9.5e-3;
+  for (const double speed : {0.5, 1.0, 20.0}) {
+    step.velocity[0][0] = 0.6 * speed;
+    step.velocity[0][2] = 0.8 * speed;
+    double spring[3] = {9.6e-3, 0, 0};
+    const FrictionForce f = friction_force(step, spring);
+    EXPECT_TRUE(f.slides && !f.changed);
+    EXPECT_NEAR(f.force[0], -0.6, 1e-15);
+    EXPECT_NEAR(f.force[2], -0.8, 1e-15);
+    EXPECT_NEAR(spring[0], 0.6 / 100, 1e-17);
+    EXPECT_NEAR(spring[2], 0.8 / 100, 1e-17);
+  }
+}
+
+// Across the slide the force grows with the velocity by the cap over the speed, as the direction
+// does, and never by more than its bodies bear: the dashpot of 2 kg/s, or a mass of 80 g over
+// twenty steps.
+TEST(FrictionStep, TheForceAcrossASlideIsNoStifferThanTheBodiesBear) {
+  for (const double mass : {0.0, 0.08})
+    for (const double speed : {1e-6, 1e-3, 0.1, 0.24, 0.26, 0.49, 0.51, 4.0}) {
+      FrictionStep step = contact();
+      step.mass = mass;
+      step.slid = true;
+      step.spring_before[0] = 1e-2;
+      step.velocity[0][0] = speed;
+      step.velocity[0][1] = 1e-6 * speed;
+      double spring[3] = {1e-2, 0, 0};
+      const FrictionForce f = friction_force(step, spring);
+      EXPECT_NEAR(f.force[1] / (-1e-6 * speed), std::min(mass > 0 ? 4.0 : 2.0, 1 / speed), 1e-6);
+    }
+}
+
+// The spring pulls with 0.3 N against x, the dashpot with 1 N against y, where the surface moves:
+// the slide begins against the velocity alone.
+TEST(FrictionStep, ASlideThatBeginsAcrossTheForceMakesItJump) {
+  FrictionStep step = contact();
+  step.spring_before[0] = 3e-3;
+  for (auto& velocity : step.velocity) velocity[1] = 0.5;
+  step.cap_rate = 0;
+  double spring[3] = {3e-3, 0.5e-3, 0};
+  const FrictionForce f = friction_force(step, spring);
+  EXPECT_TRUE(f.slides && f.changed && f.jumps);
+  EXPECT_NEAR(f.force[0], 0, 1e-15);
+  EXPECT_NEAR(f.force[1], -1, 1e-15);
+  EXPECT_NEAR(f.gain[0], 0.3, 1e-15);  // over -100 s - 2 v
+  EXPECT_NEAR(f.gain[1], -1 + 1.05, 1e-15);
+  EXPECT_NEAR(f.gain_rate[0], 0, 1e-12);
+  EXPECT_NEAR(f.gain_rate[1], 100 * 0.5, 1e-9);  // the trial force would have grown by k v
+}
+
 // Whatever the law does, the force stays under the cap.
 TEST(FrictionStep, ForceNeverExceedsTheCap) {
   for (const bool slid : {false, true})

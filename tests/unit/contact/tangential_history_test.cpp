@@ -93,6 +93,37 @@ TEST(TangentialHistory, SpringTurnsWithTheContact) {
 
 // Closed at the speed w, s ago, on a wall: since then spring and dashpot have grown as kt v t +
 // gamma v, in place of no force; the integrals over t from 0 to s.
+// Two spheres turn about each other with constant angular velocity, the spring at 45 degrees to the
+// plane of the turn: what lies in that plane turns exactly with the normal, the rest stays. The
+// turn over one step is known to its third order.
+TEST(TangentialHistory, SpringTurnsWithTheContactInSpace) {
+  double errors[2];
+  for (const int halved : {0, 1}) {
+    const double angle = halved ? 0.01 : 0.02;  // in one step
+    SampleContact contact;
+    contact.radi = contact.radj = 1e-3;
+    const double distance = 1.99e-3;
+    contact.delta[0] = distance * std::cos(angle);
+    contact.delta[1] = distance * std::sin(angle);
+    contact.v_i[0] = -angle / dt * contact.delta[1];
+    contact.v_i[1] = angle / dt * contact.delta[0];
+    contact.complete();
+    // They roll on each other, so that the spring does not grow.
+    contact.vtr1 = contact.vtr2 = contact.vtr3 = 0;
+    TangentialHistory history = history_of(0, 0, 0, 0);
+    history.spring[1] = history.spring[2] = 1e-6;  // the plane of contact was that of y and z
+    advance_spring(contact, history, step, static_cast<const RecordedEvents*>(nullptr));
+    const double expected[3] = {-1e-6 * std::sin(angle), 1e-6 * std::cos(angle), 1e-6};
+    double squared = 0;
+    for (int d = 0; d < 3; ++d) squared += std::pow(history.spring[d] - expected[d], 2);
+    errors[halved] = std::sqrt(squared) / 1e-6;
+    EXPECT_NEAR(dot(history.spring, history.spring), 2e-12, 1e-24);
+    EXPECT_NEAR(dot(history.spring, contact.en), 0, 1e-20);
+  }
+  EXPECT_LT(errors[0], std::pow(0.02, 3));
+  EXPECT_LT(errors[1], errors[0] / 7);
+}
+
 TEST(TangentialHistory, TouchMissesTheForceSinceThen) {
   const double v = 1e-3, w = 0.2, s = 0.7 * dt;
   TangentialHistory history(slots);

@@ -21,6 +21,7 @@ namespace rodpack {
 /// A contact at the end of a step; vectors lie in its present plane. SI units.
 struct FrictionStep {
   double stiffness, damping;  // N/m, kg/s; damping > 0
+  double mass;                // effective mass of the pair, kg; 0 in a plane, where nothing turns
   double cap;                 // of friction_cap.h, N,
   double cap_rate;            // N/s,
   double cap_curvature;       // and N/s^2; 0 where it is not known
@@ -42,6 +43,11 @@ struct FrictionForce {
 };
 
 namespace detail {
+
+/// Mass over so many steps is the dashpot across a slide that a body bears. A multistep formula of
+/// order 3 bears the mass over 1.8 steps, one of order 4 that over 3.3; the levers to a rod's end
+/// make the contact up to six times as light, and a body has more than one.
+constexpr double steps_of_turning = 20.0;
 
 /// Time since the slip was 0: slip[0] > 0 now, slip[1] one step ago, slip[2] earlier; of the
 /// quadratic through them, or, where a jump of the bodies has stopped it in the step before, so
@@ -67,33 +73,72 @@ inline double cap_at(const FrictionStep& step, double since) {
   return std::max(0.0, step.cap - since * (step.cap_rate - 0.5 * since * step.cap_curvature));
 }
 
-/// The excess of the force of spring and dashpot over the cap one step ago, N.
+/// The force of spring and dashpot one step ago, N.
+inline void stuck_force_before(const FrictionStep& step, double (&force)[3]) {
+  for (int d = 0; d < 3; ++d)
+    force[d] =
+        trial_force(step.stiffness, step.spring_before[d], step.damping, step.velocity[1][d]);
+}
+
+/// Its excess over the cap then, N.
 inline double excess_before(const FrictionStep& step) {
   double before[3];
-  for (int d = 0; d < 3; ++d)
-    before[d] =
-        trial_force(step.stiffness, step.spring_before[d], step.damping, step.velocity[1][d]);
+  stuck_force_before(step, before);
   return std::sqrt(dot(before, before)) - cap_at(step, step.dt);
 }
 
-/// The contact slides, or goes on to. `stuck`: the force if it did not, of magnitude `trial`.
+/// The dashpot across a slide, kg/s, that its bodies bear in a step: what the contact's own one is
+/// they bear anyway.
+inline double borne_dashpot(double damping, double mass, double dt) {
+  return std::max(damping, mass / (steps_of_turning * dt));
+}
+
+/// The force of a slide under `cap` (N). In the limit of small steps it acts against the velocity:
+/// the dashpot turns the spring there at once, wherever it was before. Steps that take over no
+/// more than the trial force has of it (tangential_force in contact_law.h) would follow a velocity
+/// that turns with a lag of many steps. But a velocity v across the slide then changes the force by
+/// F_cap v / speed, as a dashpot of F_cap / speed does: where that is more than its bodies bear, a
+/// part of the direction `before`, a unit vector, keeps it to this.
+inline void sliding_force(const FrictionStep& step, const double (&velocity)[3], double cap,
+                          const double (&before)[3], double (&force)[3]) {
+  const double speed = std::sqrt(dot(velocity, velocity));
+  const double borne = borne_dashpot(step.damping, step.mass, step.dt);
+  const double kept = std::max(0.0, cap / borne - speed);
+  for (int d = 0; d < 3; ++d) force[d] = kept * before[d] - velocity[d];
+  const double length = std::sqrt(dot(force, force));
+  for (int d = 0; d < 3; ++d) force[d] *= length > 0.0 ? cap / length : 0.0;
+}
+
+/// Whether a velocity has more than rounding across a direction, a unit vector.
+inline bool moves_across(const double (&velocity)[3], const double (&direction)[3]) {
+  const double along = dot(velocity, direction);
+  double across = 0.0;
+  for (int d = 0; d < 3; ++d)
+    across = std::max(across, std::fabs(velocity[d] - along * direction[d]));
+  return across > 1e-9 * std::fabs(along);
+}
+
+/// The contact slides, or goes on to. `stuck`: the force if it did not, of magnitude `trial`;
+/// `direction`: of the force before.
 inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], double trial,
-                           double cap, double (&spring)[3]) {
+                           double cap, const double (&direction)[3], double (&spring)[3]) {
   FrictionForce result = {};
   result.slides = true;
-  for (int d = 0; d < 3; ++d) {
-    result.force[d] = trial > 0.0 ? cap / trial * stuck[d] : 0.0;
-    spring[d] = carrying_spring(result.force[d], step.stiffness);
-  }
+  sliding_force(step, step.velocity[0], cap, direction, result.force);
+  for (int d = 0; d < 3; ++d) spring[d] = carrying_spring(result.force[d], step.stiffness);
   // Without friction there are no branches.
   if (step.slid || !(cap > 0.0)) return result;
-  const double below = excess_before(step), beyond = trial - cap;
   result.changed = true;
-  result.since = time_since_zero(below, beyond, step.dt);
+  result.since = time_since_zero(excess_before(step), trial - cap, step.dt);
+  double slide_before[3], stuck_before[3];
+  sliding_force(step, step.velocity[1], cap_at(step, step.dt), direction, slide_before);
+  stuck_force_before(step, stuck_before);
   for (int d = 0; d < 3; ++d) {
-    result.gain[d] = -beyond / trial * stuck[d];
-    result.gain_rate[d] = -(beyond - below) / step.dt / trial * stuck[d];
+    result.gain[d] = result.force[d] - stuck[d];
+    result.gain_rate[d] = (result.gain[d] - (slide_before[d] - stuck_before[d])) / step.dt;
   }
+  // The force goes on from the trial force, but for what turns it against the velocity, in space.
+  result.jumps = moves_across(step.velocity[0], direction);
   return result;
 }
 
@@ -125,17 +170,15 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
 
   // After a cap drop the spring is short by the same length ever after. At a standstill the force
   // goes on from the cap, but for the dashpot of a velocity across it, in space.
-  double across = 0.0;
   for (int d = 0; d < 3; ++d) {
     const double v = step.velocity[0][d];
-    across = std::max(across, std::fabs(v - slip[0] * direction[d]));
     result.gain[d] = result.force[d] - (stands ? cap * direction[d] : stuck[d]);
     result.gain_rate[d] = stands ? spring_force(step.stiffness, v) -
                                        step.damping * (v - step.velocity[1][d]) / step.dt -
                                        step.cap_rate * direction[d]
                                  : 0.0;
   }
-  result.jumps = !stands || across > 1e-9 * std::fabs(slip[0]);
+  result.jumps = !stands || moves_across(step.velocity[0], direction);
   return result;
 }
 
@@ -160,7 +203,7 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
     direction[d] = length > 0.0 ? (step.slid ? -1.0 : 1.0) * reference[d] / length : 0.0;
   for (int k = 0; k < 3; ++k) slip[k] = k < step.known ? dot(step.velocity[k], direction) : 0.0;
   return slip[0] < 0.0 || length == 0.0
-             ? detail::slide(step, stuck, trial, cap, spring)
+             ? detail::slide(step, stuck, trial, cap, direction, spring)
              : detail::stick(step, stuck, trial, cap, direction, slip, spring);
 }
 

@@ -46,13 +46,21 @@ inline void in_plane(const double* en, double (&vector)[3]) {
   for (int d = 0; d < 3; ++d) vector[d] -= normal * en[d];
 }
 
-/// Turns a vector of the former plane of contact into the present one, of normal `en`, by
-/// projection and a return to its length: projection alone would shrink it at first order in dt.
-inline void turn_with_contact(const double* en, double* vector) {
+/// By how much the normal of a contact has turned from one step ago to the middle of the step.
+template <class Contact>
+void half_turn(const Contact& contact, double dt, double (&turn)[3]) {
+  normal_turning_rate(contact, turn);
+  for (int d = 0; d < 3; ++d) turn[d] *= 0.5 * dt;
+}
+
+/// Turns a vector of the former plane of contact into the present one, of normal `en`, about the
+/// line in which these meet: what it has along `en` lies along the normal midway between the two,
+/// half_turn() before `en`. The turn is known to O(dt^2), the length of the vector exactly.
+inline void turn_with_contact(const double* en, const double (&half_turn)[3], double* vector) {
   const double before = dot(vector, vector);
   if (before == 0.0) return;
   const double normal = dot(vector, en);
-  for (int d = 0; d < 3; ++d) vector[d] -= normal * en[d];
+  for (int d = 0; d < 3; ++d) vector[d] -= normal * (en[d] - half_turn[d]);
   const double after = dot(vector, vector);
   if (after == 0.0) return;
   const double scale = std::sqrt(before / after);
@@ -85,7 +93,9 @@ double start_spring(const Contact& contact, double dt, double* spring) {
   const double scale = 1.0 / std::sqrt(dot(normal, normal));
   for (int d = 0; d < 3; ++d) normal[d] *= scale;
   tangential_velocity(velocity, spin, normal, at_touch);
-  turn_with_contact(contact.en, at_touch);
+  double turn[3];
+  half_turn(contact, since_touch, turn);
+  turn_with_contact(contact.en, turn, at_touch);
   for (int d = 0; d < 3; ++d) spring[d] = 0.5 * since_touch * (at_touch[d] + now[d]);
   return since_touch;
 }
@@ -133,7 +143,9 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
   past.known = std::min({history.known + 1, history.slots, 3});
   past.sliding = history.sliding;
   history.sliding = false;
-  detail::turn_with_contact(contact.en, history.spring);
+  double turn[3];
+  detail::half_turn(contact, dt, turn);
+  detail::turn_with_contact(contact.en, turn, history.spring);
   if (step.order == 0) {
     // Velocity Verlet shows the velocity at half the step, where the midpoint rule wants it.
     for (int d = 0; d < 3; ++d) history.spring[d] += dt * velocity[d];
@@ -143,7 +155,7 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
   }
   const MultistepWeights& weights = multistep_weights(step.order, history.known);
   for (int k = 0; k < history.slots; ++k)
-    detail::turn_with_contact(contact.en, history.velocity[k]);
+    detail::turn_with_contact(contact.en, turn, history.velocity[k]);
   if (events) {
     past.moved = events->motion_changed(contact, past.jump);
     if (past.moved) detail::follow_bodies(contact.en, dt, past.sliding, past.jump, history);
@@ -191,6 +203,7 @@ FrictionForce follow_through_step(const Contact& contact, const TangentialPast& 
   FrictionStep step;
   step.stiffness = contact.kt;
   step.damping = contact.gammat;
+  step.mass = contact.meff;
   step.cap = cap.now(contact);
   step.cap_rate = cap.rate(contact, dt);
   const double carried = contact.kt * std::sqrt(dot(past.spring, past.spring));
@@ -204,13 +217,39 @@ FrictionForce follow_through_step(const Contact& contact, const TangentialPast& 
   return friction_force(step, spring);
 }
 
+/// What a slide has missed of a jump of its bodies in the last step: the force is turned by the
+/// velocity across it as by a dashpot (sliding_force in friction_step.h).
+template <class Contact, class Events>
+void report_turned_slide(const Contact& contact, const double (&force)[3], const ContactJump& jump,
+                         double dt, Events& events) {
+  const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+  const double cap = std::sqrt(dot(force, force)), speed = std::sqrt(dot(velocity, velocity));
+  if (!(cap > 0.0)) return;
+  double acceleration[3], jumped[3], displacement[3];
+  const auto across = [&](const double(&vector)[3], double(&result)[3]) {
+    const double along = dot(vector, force) / (cap * cap);
+    for (int d = 0; d < 3; ++d) result[d] = vector[d] - along * force[d];
+  };
+  across(jump.acceleration, acceleration);
+  across(jump.velocity, jumped);
+  across(jump.displacement, displacement);
+  // In planar motion only rounding lies across the force.
+  if (dot(acceleration, acceleration) <= 1e-18 * dot(jump.acceleration, jump.acceleration)) return;
+  const double borne = detail::borne_dashpot(contact.gammat, contact.meff, dt);
+  events.add(contact,
+             dashpot_change(std::min(borne, cap / speed), acceleration, jumped, displacement, dt),
+             false);
+}
+
 /// Reports the events of a contact under the tangential force `force` (N), but for what the normal
 /// force does to a slide.
 template <class Contact, class Events>
 void report_friction(const Contact& contact, const TangentialPast& past, const FrictionForce& law,
                      const double (&force)[3], bool sliding, double dt, Events& events) {
-  if (past.alive && !law.changed && (sliding || past.sliding || !past.moved)) return;
   const double kt = contact.kt, gamma = contact.gammat;
+  if (past.alive && !law.changed && sliding && past.moved && gamma > 0.0)
+    report_turned_slide(contact, force, past.jump, dt, events);
+  if (past.alive && !law.changed && (sliding || past.sliding || !past.moved)) return;
   if (!past.alive) {
     double rate[3];
     if (!(past.since > 0.0)) return;
@@ -315,8 +354,9 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history, co
   if (!(contact.vn > 0.0)) return;
   const double since = std::min(dt, -contact.deltan / contact.vn);
   if (history.sliding) {
-    detail::turn_with_contact(contact.en, history.spring);
-    double direction[3];
+    double turn[3], direction[3];
+    detail::half_turn(contact, dt, turn);
+    detail::turn_with_contact(contact.en, turn, history.spring);
     if (slide_direction(history.spring, direction))
       cap.report_end(contact, direction, since, dt, events);
     return;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A slide in space whose direction turns, against a closed form: a sphere on a floor that is tilted
+// across its way.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "deck.h"
+#include "liggghts_run.h"
+#include "reading/number_text.h"
+#include "table.h"
+
+using namespace rodpack::test;
+
+namespace {
+
+std::string exact(double value) { return rodpack::number_text(value, 17); }
+
+/// A sphere lies on the floor y = 0, pressed in by m g_n / k_n, and slides along x while the
+/// gravity g_t pulls along z. Its surface's velocity u at the contact, at the angle psi to g_t, has
+///   du/dt = -A + g_t cos(psi), u dpsi/dt = -g_t sin(psi), A = mu m g_n (1/m + l^2 / I),
+/// so that u sin(psi) / tan(psi/2)^(A/g_t) keeps its value, whatever the time step.
+struct TurningSlide {
+  double g_n = 9.81, g_t = 5, mu = 0.3, speed = 0.3, eta = 0.01;
+  double radius = 1.5e-3, k = 1000, kt = 500, duration = 0.016;
+
+  double mass() const { return 2500 * 4.0 / 3 * M_PI * std::pow(radius, 3); }
+  double overlap() const { return mass() * g_n / k; }
+  double lever() const { return radius - 0.5 * overlap(); }
+  /// The speed below which the direction follows with a lag: the cap over the mass of twenty steps
+  /// (friction_step.h), m/s.
+  double limit(int steps) const { return mu * g_n * 20 * duration / steps; }
+
+  double invariant(const Table& body) const {
+    const auto at = [&](const char* name) { return body.column(name).front(); };
+    // v + omega x (-l y)
+    const double across = at("vx") + lever() * at("omegaz");
+    const double along = at("vz") - lever() * at("omegax");
+    const double inertia = 0.4 * radius * radius;  // per mass
+    const double power = mu * g_n * (1 + lever() * lever() / inertia) / g_t;
+    return across / std::pow(std::tan(0.5 * std::atan2(across, along)), power);
+  }
+
+  /// Relative change of the invariant over the second three quarters of the run.
+  double drift(int steps) const {
+    const double height = radius - overlap();
+    const auto run = run_liggghts(
+        Deck()
+            .box("-0.02 0.02 -0.02 0.02 -0.02 0.02")
+            .stiffness(exact(k), exact(kt))
+            .damping(exact(eta))
+            .friction(exact(mu))
+            .timestep(exact(duration / steps))
+            .with(
+                "fix gravity all gravity " + exact(std::hypot(g_n, g_t)) + " vector 0 " +
+                exact(-g_n) + " " + exact(g_t) +
+                "\nfix floor all wall/gran model spring_dashpot tangential spring_dashpot "
+                "primitive type 1 yplane 0\n"
+                "fix ball all particletemplate/multisphere/spherocylinder 1 atom_type 1 type 1 "
+                "aspect_ratio 1 diameter " +
+                exact(2 * radius) +
+                " surface smooth density constant 2500 planar no\n"
+                "fix mix all particledistribution/discrete 15485867 1 ball 1.0\n"
+                "region at block 0 1e-13 " +
+                exact(height) + " " + exact(height + 1e-15) +
+                " 0 1e-13 units box volume_limit 1e-60\n"
+                "fix put all insert/pack seed 32452843 distributiontemplate mix insert_every once "
+                "vel constant " +
+                exact(speed) +
+                " 0 0.01 omega constant 0 0 0 overlapcheck no all_in no region at "
+                "particles_in_region 1\n"
+                "fix motion all multisphere/ab order 3 planar no events yes\nrun 1\nrun " +
+                std::to_string(steps / 4) +
+                "\nwrite_dump all multisphere/body begin.dump modify format %.17g\nrun " +
+                std::to_string(3 * steps / 4) +
+                "\nwrite_dump all multisphere/body end.dump modify format %.17g\n"));
+    if (run.exit_code != 0) throw std::runtime_error(run.output);
+    const double begin = invariant(read_dump(run.folder / "begin.dump"));
+    return std::fabs(invariant(read_dump(run.folder / "end.dump")) / begin - 1);
+  }
+};
+
+}  // namespace
+
+TEST(SlidingInSpace, ItTurnsWithTheVelocityAtAnySpeedThatTheStepResolves) {
+  for (const double eta : {0.01, 5e-4}) {
+    TurningSlide slide;
+    slide.eta = eta;
+    ASSERT_LT(slide.limit(800), 0.1);
+    EXPECT_LT(slide.drift(800), 1e-9);
+  }
+}
