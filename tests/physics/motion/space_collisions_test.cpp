@@ -81,7 +81,8 @@ std::string in_rods_on_ranks() {
 /// of them spinning about all axes; each pair a little later than the one before. `restart`: a file
 /// to go on from.
 std::string crossed_rods(double dt, const std::string& after, const std::string& events,
-                         const std::string& restart = "", const std::string& friction = "0.3") {
+                         const std::string& restart = "", const std::string& friction = "0.3",
+                         const std::string& cap = "off") {
   const auto rod = [](int number, double x, double y, double z, const std::string& how) {
     const std::string n = std::to_string(number);
     const auto edge = [](double at) { return exact(at) + " " + exact(at + 1e-13); };
@@ -107,7 +108,8 @@ std::string crossed_rods(double dt, const std::string& after, const std::string&
       .processors("* 1 1")
       .restart(restart)
       .friction(friction)
-      .models("model spring_dashpot tangential spring_dashpot multistepOrder 4")
+      .models("model spring_dashpot tangential spring_dashpot multistepOrder 4 totalForceCap " +
+              cap)
       .timestep(exact(dt))
       .with(
           "fix rod all particletemplate/multisphere/spherocylinder 1 atom_type 1 type 1 "
@@ -120,8 +122,10 @@ std::string crossed_rods(double dt, const std::string& after, const std::string&
 
 const double crossing_time = 2.4e-3;  // s: they meet after some 0.4 ms and part before its end
 
-std::string crossing(int steps, const std::string& events, const std::string& friction = "0.3") {
-  return crossed_rods(crossing_time / steps, "run " + std::to_string(steps), events, "", friction);
+std::string crossing(int steps, const std::string& events, const std::string& friction = "0.3",
+                     const std::string& cap = "off") {
+  return crossed_rods(crossing_time / steps, "run " + std::to_string(steps), events, "", friction,
+                      cap);
 }
 
 /// Rounding is amplified by the collisions: 1e-9 of the largest component of place, velocity, spin.
@@ -153,8 +157,9 @@ std::function<Table(int)> fall(const std::string& events, const std::string& fri
   };
 }
 
-std::function<Table(int)> cross_over(const std::string& events, const std::string& friction) {
-  return [events, friction](int steps) { return end_of(crossing(steps, events, friction)); };
+std::function<Table(int)> cross_over(const std::string& events, const std::string& friction,
+                                     const std::string& cap = "off") {
+  return [=](int steps) { return end_of(crossing(steps, events, friction, cap)); };
 }
 
 }  // namespace
@@ -193,6 +198,7 @@ TEST(CollisionsInSpace, SlidingThatTurnsIsOfThirdOrderWithEvents) {
   }
   EXPECT_GT(order_of(fall("yes", "0.3"), 240, with), 2.6);
   EXPECT_GT(order_of(cross_over("yes", "0.02"), 200, with), 2.6);
+  EXPECT_GT(order_of(cross_over("yes", "0.1", "on"), 200, with), 2.6);
 }
 
 TEST(CollisionsInSpace, CrossedRodsKeepTheirMomentumToRounding) {

@@ -121,19 +121,41 @@ TEST(FrictionStep, CapDropTakesTheDashpotsShareFromTheSpring) {
 // motion acts at once, whenever the change was, and its rate has to stay bounded.
 TEST(FrictionStep, AVelocityAcrossTheForceMakesItJump) {
   for (const double now : {5e-3, 1e-4, 1e-6, 1e-8}) {
+    const double across = 0.5 * std::sqrt(now);
     FrictionStep step = contact();
     step.slid = true;
     step.spring_before[0] = 9.5e-3;
     set_velocities(step, -now, 0.01 - now, 0.02 - now);
-    for (auto& velocity : step.velocity) velocity[1] = 0.05;
+    for (auto& velocity : step.velocity) velocity[1] = across;
     double spring[3] = {9.5e-3, 0, 0};
     const FrictionForce f = friction_force(step, spring);
     EXPECT_TRUE(f.changed && f.jumps && !f.slides);
     EXPECT_NEAR(f.since, 1e-3 * now / 0.01, 1e-9);
-    // the cap leaves sqrt(1 - 0.1^2) of it
-    EXPECT_NEAR(f.gain[1] / (-2 * 0.05 - 100 * 0.05 * f.since), 1, 0.01);
-    EXPECT_NEAR(f.gain_rate[1], -100 * 0.05, 1e-9);
+    EXPECT_NEAR(f.gain[1] / (-2 * across - 100 * across * f.since), 1, 1e-9);
+    EXPECT_NEAR(f.gain_rate[1], -100 * across, 1e-9);
   }
+}
+
+// The spring that carries the cap of 1 N and the dashpot of a velocity across it make more than the
+// cap, if they are not relieved by 2 N s/m times the velocity along: 2 v^2 > 2 * v_x, so that the
+// contact cannot stick; the same where the cap drops.
+TEST(FrictionStep, ItCannotStickWhereTheVelocityAcrossIsTooLarge) {
+  for (const bool slid : {false, true})
+    for (const double across : {0.09, 0.11}) {
+      const double along = 0.01;  // with the force; 0.1^2 + 0.01^2 is the limit, but for 1 %
+      FrictionStep step = contact();
+      step.slid = slid;
+      step.spring_before[0] = 1e-2;
+      for (auto& velocity : step.velocity) {
+        velocity[0] = -along;
+        velocity[1] = across;
+      }
+      if (slid) set_velocities(step, -along, along, 3 * along);
+      double spring[3] = {1.2e-2, -0.02 * across, 0};  // the trial force lies along x
+      const FrictionForce f = friction_force(step, spring);
+      EXPECT_EQ(f.slides, across > 0.1) << slid;
+      EXPECT_LE(std::hypot(f.force[0], f.force[1]), 1 + 1e-14);
+    }
 }
 
 // The slide goes on against the velocity, which has turned; the cap of 1 N over the damping of 2

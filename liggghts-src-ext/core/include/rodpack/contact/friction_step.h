@@ -119,9 +119,10 @@ inline bool moves_across(const double (&velocity)[3], const double (&direction)[
 }
 
 /// The contact slides, or goes on to. `stuck`: the force if it did not, of magnitude `trial`;
-/// `direction`: of the force before.
+/// `direction`: of the force before; `slip`: the velocity along it.
 inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], double trial,
-                           double cap, const double (&direction)[3], double (&spring)[3]) {
+                           double cap, const double (&direction)[3], double slip,
+                           double (&spring)[3]) {
   FrictionForce result = {};
   result.slides = true;
   sliding_force(step, step.velocity[0], cap, direction, result.force);
@@ -138,7 +139,7 @@ inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], d
     result.gain_rate[d] = (result.gain[d] - (slide_before[d] - stuck_before[d])) / step.dt;
   }
   // The force goes on from the trial force, but for what turns it against the velocity, in space.
-  result.jumps = moves_across(step.velocity[0], direction);
+  result.jumps = slip > 0.0 || moves_across(step.velocity[0], direction);
   return result;
 }
 
@@ -202,8 +203,14 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
   for (int d = 0; d < 3; ++d)
     direction[d] = length > 0.0 ? (step.slid ? -1.0 : 1.0) * reference[d] / length : 0.0;
   for (int k = 0; k < 3; ++k) slip[k] = k < step.known ? dot(step.velocity[k], direction) : 0.0;
-  return slip[0] < 0.0 || length == 0.0
-             ? detail::slide(step, stuck, trial, cap, direction, spring)
+  // A contact that sticks has a spring that carries the cap along `direction`, and its dashpot:
+  // where a velocity across takes that beyond the cap again, it slides.
+  const double(&velocity)[3] = step.velocity[0];
+  const bool slides =
+      slip[0] < 0.0 || (detail::moves_across(velocity, direction) &&
+                        step.damping * dot(velocity, velocity) > 2.0 * cap * slip[0]);
+  return slides || length == 0.0
+             ? detail::slide(step, stuck, trial, cap, direction, slip[0], spring)
              : detail::stick(step, stuck, trial, cap, direction, slip, spring);
 }
 
