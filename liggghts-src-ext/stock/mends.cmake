@@ -267,6 +267,15 @@ function(mend_axis_of_cylinder folder)
             return *param - dist - r;")
 endfunction()
 
+# `dump_modify sort -N` on several ranks: the first rank, which is written first, had the lowest values.
+function(mend_descending_sort folder)
+  mend(${folder} sort_buffer.cpp
+    "iproc = static_cast<int> ((value-minall)/range * nprocs);
+                proclist[i] = iproc;"
+    "iproc = static_cast<int> ((value-minall)/range * nprocs);
+                proclist[i] = sortorder == DESCEND ? nprocs-1-iproc : iproc;")
+endfunction()
+
 function(mend_stock folder)
   mend_for_compilers(${folder})
   mend_messages(${folder})
@@ -277,5 +286,6 @@ function(mend_stock folder)
   mend_contact_reports(${folder})
   mend_bridges_at_walls(${folder})
   mend_axis_of_cylinder(${folder})
+  mend_descending_sort(${folder})
   mend_inertia(${folder})
 endfunction()
