@@ -8,6 +8,7 @@ namespace rodpack {
 
 EnergyHistory read_energies(const std::string& energies_csv) {
   const Table table = read_table(energies_csv);
+  table.require_line_end();
   const auto& times = table.finite("time_s");
   const auto& translational = table.finite("kinetic_translational_J");
   const auto& rotational = table.finite("kinetic_rotational_J");

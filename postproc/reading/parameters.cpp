@@ -23,7 +23,15 @@ NumberRange parameter_range(const std::string& key) {
       {"gravity_m_s2", {0, 1e9}},
       {"density_kg_m3", {0, 1e9, false, true}},
       {"friction", {0, 1000}},
-      {"inclination_deg", {0, 90}},
+      {"inclination_deg", {0, 89}},
+      {"orifice_width_m", {1e-12, 1e6}},
+      {"close_after_s", {0, 1e9}},
+      {"normal_stiffness_N_m", {0, 1e15, false, true}},
+      {"tangential_stiffness_N_m", {0, 1e15}},
+      {"damping_ratio_normal", {0, 1}},
+      {"damping_ratio_tangential", {0, 1}},
+      {"overlap", {0, 0.9999}},
+      {"curvature_deg", {0, 180}},
   };
   const auto found = known.find(key);
   constexpr double largest = 1e300;
@@ -40,6 +48,15 @@ double RunParameters::number(const std::string& key) const {
     throw DataError(file + ": key '" + key + "': expected " + range.text() + ", found " +
                     shortened(found->dump()));
   return found->get<double>();
+}
+
+std::optional<std::size_t> RunParameters::vertical_axis() const {
+  const auto found = values.find("vertical_axis");
+  if (found == values.end()) return std::nullopt;
+  for (const std::size_t axis : {0U, 1U, 2U})
+    if (*found == std::string(1, "xyz"[axis])) return axis;
+  throw DataError(file + ": key 'vertical_axis': expected \"x\", \"y\" or \"z\", found " +
+                  shortened(found->dump()));
 }
 
 RunParameters read_parameters(const std::string& file) {

@@ -89,6 +89,12 @@ const std::vector<std::string>& Table::words(const std::string& name) const {
   return words_[index_of(name)];
 }
 
+void Table::require_line_end() const {
+  if (ends_in_line_)
+    throw DataError(at_line(file_, lines_.back()) +
+                    ": the file is cut short here: this line has no line end");
+}
+
 void Table::refuse(std::size_t row, const std::string& name, const std::string& expected) const {
   throw DataError(at_line(file_, lines_[row]) + ": expected " + expected + ", found '" +
                   shortened(words(name)[row]) + "' (column '" + name + "')");
@@ -111,7 +117,6 @@ Table read_table(const std::string& file, const std::string& header) {
     table.header_line_ = number;
     at_commas = has_comma(names_line);
     table.names_ = split(names_line, at_commas);
-    require_each_once(table.names_, at_line(file, number));
   };
   bool named_by_comment = false;
   long number = 0;
@@ -130,18 +135,25 @@ Table read_table(const std::string& file, const std::string& header) {
       table.words_.resize(table.names_.size());
       continue;
     }
+    if (table.names_.empty())
+      throw DataError(at_line(file, number) +
+                      ": expected a line with the names of the columns first, found '" +
+                      shortened(content) + "'");
     const auto fields = split(content, at_commas);
     if (fields.size() != table.names_.size())
       throw DataError(at_line(file, number) + ": expected " + names_line + ", found '" +
                       shortened(content) + "'");
     table.words_.resize(fields.size());
     table.lines_.push_back(number);
+    table.ends_in_line_ = in.eof();
     for (std::size_t c = 0; c < fields.size(); ++c) table.words_[c].push_back(fields[c]);
   }
   if (table.names_.empty())
     throw DataError(at_line(file, 1) + ": expected " +
                     (header.empty() ? "a line with the names of the columns" : header) +
                     ", found an empty file");
+  // Of comments, the last one alone has the names: others may say a word twice.
+  require_each_once(table.names_, at_line(file, table.header_line_));
   table.words_.resize(table.names_.size());
   table.numbers_.resize(table.names_.size());
   table.not_numbers_.resize(table.names_.size());

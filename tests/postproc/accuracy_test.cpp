@@ -342,7 +342,16 @@ TEST_F(AccuracyRun, WrongCommandLinesNameTheValue) {
   for (const auto& [more, expected] :
        {std::pair("--methods ab5", "--methods: expected one of"),
         {"--scenes up", "--scenes: expected one of"},
-        {"--steps 1", "--steps: expected a number of 3 to 100000, found"}}) {
+        {"--steps 1", "--steps: expected a number of 3 to 100000, found"},
+        // What would run twice, or not at all.
+        {"--methods ab3,ab3", "--methods: expected each once, found 'ab3' twice"},
+        {"--scenes beds,beds", "--scenes: expected each once, found 'beds' twice"},
+        {"--steps 28,30,28", "--steps: expected each once, found '28' twice"},
+        {"--comparisons engine,engine", "--comparisons: expected each once, found 'engine' twice"},
+        {"--scenes spin_3d --comparisons engine", "--comparisons: expected with the scene beds"},
+        {"--quick --seeds 2", "--seeds: expected with the scene beds"},
+        {"--scenes stability --per-line 2", "--per-line: expected with the scene beds"},
+        {"--scenes beds --steps 28", "--steps: expected with a scene other than beds"}}) {
     const auto run = rodpack::test::run_rodpack(std::string("accuracy o ") + more);
     EXPECT_EQ(run.exit_code, 2) << more;
     EXPECT_THAT(run.output, HasSubstr(expected));
