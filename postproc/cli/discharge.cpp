@@ -15,6 +15,7 @@
 #include "reading/dump.h"
 #include "reading/number_text.h"
 #include "reading/parameters.h"
+#include "reading/space/vertical_axis.h"
 #include "reading/text_file.h"
 
 namespace rodpack::cli {
@@ -46,7 +47,7 @@ MeasuredRun measure_run(const std::string& folder, OutflowOptions options) {
   if (parameters.values.contains("close_after_s") && parameters.number("close_after_s") > 0)
     options.closed_at = parameters.number("close_after_s");
   // A scene in space states which axis is the vertical one.
-  const int dimension = parameters.vertical_axis() ? 3 : 2;
+  const int dimension = vertical_axis(parameters) ? 3 : 2;
   auto history = read_outflow((fs::path(folder) / "discharge.csv").string());
   auto outflow = measure_outflow(history, options);
   return {folder,    std::move(parameters), std::move(history),     outflow,

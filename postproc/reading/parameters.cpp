@@ -50,15 +50,6 @@ double RunParameters::number(const std::string& key) const {
   return found->get<double>();
 }
 
-std::optional<std::size_t> RunParameters::vertical_axis() const {
-  const auto found = values.find("vertical_axis");
-  if (found == values.end()) return std::nullopt;
-  for (const std::size_t axis : {0U, 1U, 2U})
-    if (*found == std::string(1, "xyz"[axis])) return axis;
-  throw DataError(file + ": key 'vertical_axis': expected \"x\", \"y\" or \"z\", found " +
-                  shortened(found->dump()));
-}
-
 RunParameters read_parameters(const std::string& file) {
   nlohmann::json values = read_json_object(file);
   const auto units = values.value("units", nlohmann::json("si"));

@@ -2,7 +2,6 @@
 #ifndef RODPACK_READING_PARAMETERS_H
 #define RODPACK_READING_PARAMETERS_H
 
-#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -18,9 +17,6 @@ struct RunParameters {
   /// Returns the value of a key, in the unit that its name says. @throws DataError naming file and
   /// key when it is missing or no number in the range of that parameter.
   double number(const std::string& key) const;
-  /// Which axis points up, 0 to 2, as scenes in space state; none in a plane. @throws DataError
-  /// when it is none of x, y, z.
-  std::optional<std::size_t> vertical_axis() const;
 };
 
 /// Reads the parameters in `file`. @throws DataError as read_json_object(), and when the key

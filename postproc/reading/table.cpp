@@ -89,12 +89,6 @@ const std::vector<std::string>& Table::words(const std::string& name) const {
   return words_[index_of(name)];
 }
 
-void Table::require_line_end() const {
-  if (ends_in_line_)
-    throw DataError(at_line(file_, lines_.back()) +
-                    ": the file is cut short here: this line has no line end");
-}
-
 void Table::refuse(std::size_t row, const std::string& name, const std::string& expected) const {
   throw DataError(at_line(file_, lines_[row]) + ": expected " + expected + ", found '" +
                   shortened(words(name)[row]) + "' (column '" + name + "')");
@@ -145,7 +139,6 @@ Table read_table(const std::string& file, const std::string& header) {
                       shortened(content) + "'");
     table.words_.resize(fields.size());
     table.lines_.push_back(number);
-    table.ends_in_line_ = in.eof();
     for (std::size_t c = 0; c < fields.size(); ++c) table.words_[c].push_back(fields[c]);
   }
   if (table.names_.empty())

@@ -27,10 +27,6 @@ class Table {
   /// @throws DataError when there is no such column.
   const std::vector<std::string>& words(const std::string& name) const;
 
-  /// @throws DataError naming file and line when the file ends in its last row, without a line end:
-  /// what programs write has one, and a field that was cut short may still look like a number.
-  void require_line_end() const;
-
   /// Refuses one field: @throws DataError naming file and line, what was `expected`, the field that
   /// was found and its column.
   [[noreturn]] void refuse(std::size_t row, const std::string& name,
@@ -44,7 +40,6 @@ class Table {
   std::string file_;
   long header_line_ = 1;     // that names the columns, counted from 1
   std::vector<long> lines_;  // of the rows
-  bool ends_in_line_ = false;
   std::vector<std::string> names_;
   std::vector<std::vector<std::string>> words_;        // per column
   std::vector<std::vector<double>> numbers_;           // per column, 0 where a field is none

@@ -336,6 +336,20 @@ TEST_F(AccuracyRun, OtherSettingsAndMalformedRowsAreOneLineErrors) {
   const auto malformed = accuracy();
   EXPECT_EQ(malformed.exit_code, 1);
   EXPECT_THAT(malformed.output, HasSubstr("accuracy.csv:5: expected scene,method,"));
+  // Rows that no run leaves, which have made a cost or a figure of infinity.
+  const std::string head = "scene,method,order,steps_per_contact,error,force_evaluations,seconds\n";
+  const std::pair<const char*, const char*> rows[] = {
+      {"spin_planar,ab3,3,30,nan,100,1\n", "2: expected an error of 0 or more, found 'nan'"},
+      {"spin_planar,ab3,3,30,-1,100,1\n", "2: expected an error of 0 or more, found '-1'"},
+      {"spin_planar,ab3,3,30,0,0,1\n", "2: expected a number above 0, found '0'"},
+      {"spin_planar,ab3,3,inf,0,100,1\n", "2: expected a finite number, found 'inf'"},
+      {"spin_planar,ab3,3,30,0,100,0\n", "2: expected a time above 0, found '0'"}};
+  for (const auto& [row, expected] : rows) {
+    std::ofstream(folder_ / "out/accuracy.csv") << head << row;
+    const auto wrong = accuracy();
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_THAT(wrong.output, HasSubstr(std::string("accuracy.csv:") + expected));
+  }
 }
 
 TEST_F(AccuracyRun, WrongCommandLinesNameTheValue) {

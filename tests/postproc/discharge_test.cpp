@@ -125,7 +125,7 @@ TEST(Outflow, ReadsItsTableWithoutRowsThatWereComputedAnew) {
                 HasSubstr("discharge.csv:2: expected a time of -1e9 to 1e9 s, found '" + time));
   // Its last count could be a part of one.
   EXPECT_THAT(refusal("1,1,-0.5,9,9,0,3\n1,1,0.5,9,9,0,3"),
-              HasSubstr("discharge.csv:3: the file is cut short here: this line has no line end"));
+              HasSubstr("discharge.csv: the file is cut short: its last line has no line end"));
 }
 
 // Times that no particle falls in, from a hand or a time step that is none: a rate beyond all.

@@ -83,9 +83,6 @@ TEST(TableReader, ErrorsNameFileLineColumnValueAndExpectation) {
   EXPECT_EQ(error_of("a,c\n1,2\n", {}, "a,b"), ":1: expected a,b, found 'a,c'");
   EXPECT_EQ(error_of("#\n1 2\n"),
             ":2: expected a line with the names of the columns first, found '1 2'");
-  EXPECT_EQ(error_of("a,b\n1,2", [](const auto& t) { t.require_line_end(); }),
-            ":2: the file is cut short here: this line has no line end");
-  EXPECT_EQ(error_of("a,b\n1,2\n", [](const auto& t) { t.require_line_end(); }), "no error");
   EXPECT_EQ(error_of("a\n1\n2.5\n", [](const auto& t) { t.whole_numbers("a"); }),
             ":3: expected a whole number, found '2.5' (column 'a')");
   EXPECT_EQ(error_of("a\nmaybe\n", [](const auto& t) { t.refuse(0, "a", "yes or no"); }),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reading/checks/line_end.h"
 #include "reading/data_error.h"
 #include "reading/number_text.h"
 #include "reading/table.h"
@@ -71,7 +72,7 @@ void cut_at(double time, OutflowHistory& history) {
 
 OutflowHistory read_outflow(const std::string& discharge_csv) {
   const Table table = read_table(discharge_csv);
-  table.require_line_end();
+  require_line_end(discharge_csv);
   const auto& times = table.finite("since_opening_s");
   OutflowHistory history;
   history.file = discharge_csv;

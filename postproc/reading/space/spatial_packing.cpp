@@ -11,6 +11,7 @@
 #include "reading/number_text.h"
 #include "reading/parsing.h"
 #include "reading/scene/scene_walls.h"
+#include "reading/space/vertical_axis.h"
 
 namespace rodpack {
 namespace {
@@ -34,7 +35,7 @@ std::optional<std::size_t> stated_vertical(const std::optional<RunScene>& scene,
                     "'");
   }
   if (const auto axis = scene ? scene->vertical() : std::nullopt) return axis;
-  return parameters ? parameters->vertical_axis() : std::nullopt;
+  return parameters ? vertical_axis(*parameters) : std::nullopt;
 }
 
 void add_cylinder(const std::vector<double>& cylinder, SpatialWalls& walls) {
