@@ -49,6 +49,18 @@ function(mend_messages folder)
   mend(${folder} settings.h "<< args[1] << \"'\";" "<< args[1] << \"', expected\";
       for(typename std::map<std::string, T>::iterator it = options.begin(); it != options.end(); ++it)
         ss << (it == options.begin() ? \" \" : \" or \") << it->first;")
+  # Without a screen (`-screen none`, ranks beside one that writes to a file), much of stock LIGGGHTS wrote
+  # to a null pointer: its reader of meshes, its insertion, its models.
+  foreach(old
+      "universe->uscreen = NULL;"
+      "\"none\") == 0)
+         screen = NULL;"
+      "\"none\") == 0)
+        screen = NULL;"
+      "} else screen = NULL;")
+    string(REPLACE "= NULL;" "= fopen(\"/dev/null\",\"w\");" new "${old}")
+    mend(${folder} lammps.cpp "${old}" "${new}")
+  endforeach()
   # They come with every run of bodies and hide the warnings that mean something. That thermo's own
   # kinetic energy is not that of bodies is said where it is printed.
   mend(${folder} fix_property_atom.cpp
@@ -244,6 +256,26 @@ function(mend_inertia folder)
     "moi_[2][1] = (moi_[2][1]+moi_[1][2])/2.;")
 endfunction()
 
+# A sphere on the axis of a primitive cylinder: every direction leads to the wall. It was said to touch it, in no
+# direction: NaN from then on.
+function(mend_axis_of_cylinder folder)
+  mend(${folder} primitive_wall_definitions.h
+    "delta[d::x] = 0.; delta[d::y] = 0.; delta[d::z] = 0.;
+            dx = 0.0;
+            return dx; // break for zero dist (avoid devide-by-zero)"
+    "delta[d::x] = 0.; delta[d::y] = *param - dist; delta[d::z] = 0.;
+            return *param - dist - r;")
+endfunction()
+
+# `dump_modify sort -N` on several ranks: the first rank, which is written first, had the lowest values.
+function(mend_descending_sort folder)
+  mend(${folder} sort_buffer.cpp
+    "iproc = static_cast<int> ((value-minall)/range * nprocs);
+                proclist[i] = iproc;"
+    "iproc = static_cast<int> ((value-minall)/range * nprocs);
+                proclist[i] = sortorder == DESCEND ? nprocs-1-iproc : iproc;")
+endfunction()
+
 function(mend_stock folder)
   mend_for_compilers(${folder})
   mend_messages(${folder})
@@ -253,5 +285,7 @@ function(mend_stock folder)
   mend_contact_ends(${folder})
   mend_contact_reports(${folder})
   mend_bridges_at_walls(${folder})
+  mend_axis_of_cylinder(${folder})
+  mend_descending_sort(${folder})
   mend_inertia(${folder})
 endfunction()

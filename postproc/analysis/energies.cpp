@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "analysis/energies.h"
 
+#include "reading/checks/line_end.h"
 #include "reading/data_error.h"
 #include "reading/table.h"
 
@@ -8,6 +9,7 @@ namespace rodpack {
 
 EnergyHistory read_energies(const std::string& energies_csv) {
   const Table table = read_table(energies_csv);
+  require_line_end(energies_csv);
   const auto& times = table.finite("time_s");
   const auto& translational = table.finite("kinetic_translational_J");
   const auto& rotational = table.finite("kinetic_rotational_J");

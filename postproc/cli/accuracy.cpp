@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "campaigns/beds/beds.h"
 #include "campaigns/launch/deck_folder.h"
@@ -54,9 +55,33 @@ bool wanted(const AccuracySettings& settings, const char* scene) {
   return std::find(settings.scenes.begin(), settings.scenes.end(), scene) != settings.scenes.end();
 }
 
+/// @throws CLI::ValidationError for a word that stands twice: its runs would count twice.
+template <class Word>
+void require_each_once(const char* option, const std::vector<Word>& words) {
+  for (auto word = words.begin(); word != words.end(); ++word)
+    if (std::find(words.begin(), word, *word) != word) {
+      std::ostringstream text;
+      text << "expected each once, found '" << *word << "' twice";
+      throw CLI::ValidationError(option, text.str());
+    }
+}
+
+/// Options of a kind of scenes, which are no use without one of these.
+void require_scenes_of(const std::vector<CLI::Option*>& options, bool there,
+                       const std::string& scenes) {
+  for (const auto* option : options)
+    if (option->count() > 0 && !there)
+      throw CLI::ValidationError(option->get_name(),
+                                 "expected with " + scenes + ", found none in the list of scenes");
+}
+
 /// Checks the settings before anything runs. @throws CLI::ValidationError naming what cannot be
 /// run.
 void check(const AccuracySettings& settings) {
+  require_each_once("--scenes", settings.scenes);
+  require_each_once("--methods", settings.methods);
+  require_each_once("--steps", settings.steps);
+  require_each_once("--comparisons", settings.bed_comparisons);
   try {
     bed_comparisons(settings.bed_methods, settings.bed_comparisons);
   } catch (const DataError& error) {
@@ -74,29 +99,34 @@ void measure(const AccuracySettings& settings, const std::string& out) {
   if (wanted(settings, stability_scene)) measure_stability_into(settings, out);
 }
 
-void add_bed_options(CLI::App& command, AccuracySettings& settings) {
-  command.add_option("--seeds", settings.seeds, "beds per model")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str()
-      ->type_name("N");
-  command
-      .add_option(
-          "--comparisons", settings.bed_comparisons,
-          "what beds compare: surface,planar,engine,stiffness,step_METHOD,frontier [default: all]")
-      ->delimiter(',')
-      ->type_name("LIST");
-  command.add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")
-      ->check(whole_number(1, 10000))
-      ->capture_default_str()
-      ->type_name("N");
-  command.add_option("--per-line", settings.bed_scene.per_line, "rods per line of a bed")
-      ->check(whole_number(1, 10000))
-      ->capture_default_str()
-      ->type_name("N");
+std::vector<CLI::Option*> add_bed_options(CLI::App& command, AccuracySettings& settings) {
+  auto* seeds = command.add_option("--seeds", settings.seeds, "beds per model")
+                    ->check(whole_number(1, 1000))
+                    ->capture_default_str()
+                    ->type_name("N");
+  auto* comparisons =
+      command
+          .add_option("--comparisons", settings.bed_comparisons,
+                      "what beds compare: surface,planar,engine,stiffness,step_METHOD,frontier "
+                      "[default: all]")
+          ->delimiter(',')
+          ->type_name("LIST");
+  auto* lines = command.add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")
+                    ->check(whole_number(1, 10000))
+                    ->capture_default_str()
+                    ->type_name("N");
+  auto* per_line =
+      command.add_option("--per-line", settings.bed_scene.per_line, "rods per line of a bed")
+          ->check(whole_number(1, 10000))
+          ->capture_default_str()
+          ->type_name("N");
+  return {seeds, comparisons, lines, per_line};
 }
 
 void add_places(CLI::App& command, AccuracyArguments& arguments) {
-  command.add_option("OUT", arguments.out, "folder of the results")->required()->check(some_name());
+  command.add_option("OUT", arguments.out, "folder of the results")
+      ->required()
+      ->check(name_of_folder());
   command
       .add_option("--liggghts", arguments.settings.liggghts.program,
                   "program to run [default: liggghts beside this program]")
@@ -160,11 +190,11 @@ void add_accuracy(CLI::App& app) {
                                    "timed runs per scene and method [default: 5]")
                       ->check(whole_number(1, 1000))
                       ->type_name("N");
-  add_bed_options(*command, settings);
+  const auto of_beds = add_bed_options(*command, settings);
   command->add_flag("--quick", options->quick,
                     "five scenes, three steps, one timed run: below a minute");
 
-  command->callback([options, scenes, methods, steps, repeats] {
+  command->callback([options, scenes, methods, steps, repeats, of_beds] {
     auto& given = options->settings;
     if (options->quick) {
       if (scenes->count() == 0) given.scenes = quick_scenes;
@@ -173,6 +203,11 @@ void add_accuracy(CLI::App& app) {
     }
     if (methods->count() > 0) given.bed_methods = given.methods;
     if (steps->count() == 0) given.steps = options->quick ? quick_steps : all_steps;
+    require_scenes_of(of_beds, wanted(given, beds_scene), "the scene beds");
+    const bool others = std::any_of(given.scenes.begin(), given.scenes.end(), [](const auto& each) {
+      return each != beds_scene && each != stability_scene;
+    });
+    require_scenes_of({steps, repeats}, others, "a scene other than beds and stability");
     check(given);
     if (given.liggghts.program.empty()) given.liggghts.program = liggghts_beside_this_program();
     measure(given, options->out);

@@ -15,6 +15,7 @@
 #include "reading/dump.h"
 #include "reading/number_text.h"
 #include "reading/parameters.h"
+#include "reading/space/vertical_axis.h"
 #include "reading/text_file.h"
 
 namespace rodpack::cli {
@@ -41,14 +42,12 @@ MeasuredRun measure_run(const std::string& folder, OutflowOptions options) {
   auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
   const double width = parameters.number("orifice_width_m"), g = parameters.number("gravity_m_s2");
   const double diameter = parameters.number("particle_diameter_m");
-  if (!(width > 0 && g > 0))
-    throw DataError(parameters.file +
-                    ": expected orifice_width_m and gravity_m_s2 above 0, found " +
-                    number_text(width) + " and " + number_text(g));
+  if (!(g > 0))
+    throw DataError(parameters.file + ": key 'gravity_m_s2': expected a number above 0, found 0");
   if (parameters.values.contains("close_after_s") && parameters.number("close_after_s") > 0)
     options.closed_at = parameters.number("close_after_s");
   // A scene in space states which axis is the vertical one.
-  const int dimension = parameters.values.contains("vertical_axis") ? 3 : 2;
+  const int dimension = vertical_axis(parameters) ? 3 : 2;
   auto history = read_outflow((fs::path(folder) / "discharge.csv").string());
   auto outflow = measure_outflow(history, options);
   return {folder,    std::move(parameters), std::move(history),     outflow,

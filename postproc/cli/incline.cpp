@@ -60,6 +60,8 @@ MeasuredSlope measure_slope(const std::string& folder, const InclineCommand& com
   const auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
   const Slope slope{parameters.number("inclination_deg") * degree,
                     parameters.number("gravity_m_s2")};
+  if (!(slope.gravity > 0))
+    throw DataError(parameters.file + ": key 'gravity_m_s2': expected a number above 0, found 0");
   const double d = parameters.number("particle_diameter_m"), dt = parameters.number("timestep_s");
   const auto contact_files = dumps_of_run(folder, "contacts");
   std::optional<double> scale;
@@ -147,7 +149,12 @@ void write_slopes(const std::vector<MeasuredSlope>& runs, const std::string& fil
 
 void run_incline(const InclineCommand& command) {
   std::vector<MeasuredSlope> runs;
-  for (const auto& folder : command.runs) runs.push_back(measure_slope(folder, command));
+  for (const auto& folder : command.runs) {
+    for (const auto& earlier : runs)
+      if (fs::equivalent(folder, earlier.folder))
+        throw DataError(folder + ": expected each run once, found that of " + earlier.folder);
+    runs.push_back(measure_slope(folder, command));
+  }
   for (const auto& run : runs) print_slope(run);
   const auto& stem = command.stem;
   if (runs.size() == 1) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "figures/figure.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <sstream>
 
 #include "reading/dump.h"
 #include "reading/number_text.h"
@@ -20,11 +24,31 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+// What gnuplot says beside the line of the script and a mark where it stopped: "line 26: x range is
+// invalid".
+std::string reason_in(const std::string& said) {
+  std::istringstream lines(said);
+  std::string reason;
+  for (std::string line; std::getline(lines, line);) {
+    const auto begin = line.find_first_not_of(" \t");
+    if (begin == std::string::npos) continue;
+    if (line.compare(begin, 5, "line ") == 0) reason = line.substr(begin);
+  }
+  return reason.empty() ? "" : ": " + reason;
+}
+
 // In the folder of the figure, so that the script holds its name alone.
-void run_gnuplot(const std::filesystem::path& folder, const std::string& script) {
-  const int status = run_program({"gnuplot"}, {script, folder.string(), "", {}});
+void run_gnuplot(const std::string& figure, const std::filesystem::path& folder,
+                 const std::string& script) {
+  namespace fs = std::filesystem;
+  const auto log = fs::temp_directory_path() / ("rodpack-gnuplot-" + std::to_string(::getpid()));
+  const int status = run_program({"gnuplot"}, {script, folder.string(), log.string(), {}});
+  const std::string said = read_text(log.string());
+  std::error_code ignored;
+  fs::remove(log, ignored);
   if (status == 127) throw DataError("gnuplot was not found: install gnuplot-nox");
-  if (status != 0) throw DataError("gnuplot failed to draw a figure");
+  if (status != 0) throw DataError(figure + ": gnuplot failed to draw it" + reason_in(said));
+  std::fputs(said.c_str(), stderr);  // warnings
 }
 
 // SVG readers may drop the spaces around a change of font, as before the italic symbol in
@@ -81,8 +105,9 @@ void draw_figure(const std::string& stem, double aspect, const std::string& comm
                   " font 'DejaVu Sans,34' linewidth 3 pointscale 3.5 enhanced\n"
             : "svg size " + size(640) + " font 'DejaVu Sans,14' linewidth 1.2 enhanced\n";
     // With ./ before it, no name is taken for a command ("|...").
-    run_gnuplot(path.parent_path(), "set terminal " + terminal + "set output " +
-                                        quoted("./" + name + suffix) + "\n" + style + commands);
+    run_gnuplot(stem + suffix, path.parent_path(),
+                "set terminal " + terminal + "set output " + quoted("./" + name + suffix) + "\n" +
+                    style + commands);
     if (!std::filesystem::exists(stem + suffix) || std::filesystem::file_size(stem + suffix) == 0)
       throw DataError(stem + suffix + ": cannot be written");
   }

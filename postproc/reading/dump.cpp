@@ -58,7 +58,7 @@ struct DumpReader::Stream {
       throw DataError(name + ": is no regular file, expected a dump file");
     handle = gzopen(name.c_str(), "rb");
     if (!handle) throw DataError(name + ": no such file, or it cannot be read");
-    gzbuffer(handle, 1U << 18U);
+    gzbuffer(handle, static_cast<unsigned>(buffer_.size()));  // more than a read asks for is no use
   }
   ~Stream() { gzclose(handle); }
   Stream(const Stream&) = delete;

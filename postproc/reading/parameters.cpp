@@ -23,7 +23,15 @@ NumberRange parameter_range(const std::string& key) {
       {"gravity_m_s2", {0, 1e9}},
       {"density_kg_m3", {0, 1e9, false, true}},
       {"friction", {0, 1000}},
-      {"inclination_deg", {0, 90}},
+      {"inclination_deg", {0, 89}},
+      {"orifice_width_m", {1e-12, 1e6}},
+      {"close_after_s", {0, 1e9}},
+      {"normal_stiffness_N_m", {0, 1e15, false, true}},
+      {"tangential_stiffness_N_m", {0, 1e15}},
+      {"damping_ratio_normal", {0, 1}},
+      {"damping_ratio_tangential", {0, 1}},
+      {"overlap", {0, 0.9999}},
+      {"curvature_deg", {0, 180}},
   };
   const auto found = known.find(key);
   constexpr double largest = 1e300;

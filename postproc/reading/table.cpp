@@ -111,7 +111,6 @@ Table read_table(const std::string& file, const std::string& header) {
     table.header_line_ = number;
     at_commas = has_comma(names_line);
     table.names_ = split(names_line, at_commas);
-    require_each_once(table.names_, at_line(file, number));
   };
   bool named_by_comment = false;
   long number = 0;
@@ -130,6 +129,10 @@ Table read_table(const std::string& file, const std::string& header) {
       table.words_.resize(table.names_.size());
       continue;
     }
+    if (table.names_.empty())
+      throw DataError(at_line(file, number) +
+                      ": expected a line with the names of the columns first, found '" +
+                      shortened(content) + "'");
     const auto fields = split(content, at_commas);
     if (fields.size() != table.names_.size())
       throw DataError(at_line(file, number) + ": expected " + names_line + ", found '" +
@@ -142,6 +145,8 @@ Table read_table(const std::string& file, const std::string& header) {
     throw DataError(at_line(file, 1) + ": expected " +
                     (header.empty() ? "a line with the names of the columns" : header) +
                     ", found an empty file");
+  // Of comments, the last one alone has the names: others may say a word twice.
+  require_each_once(table.names_, at_line(file, table.header_line_));
   table.words_.resize(table.names_.size());
   table.numbers_.resize(table.names_.size());
   table.not_numbers_.resize(table.names_.size());

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "analysis/fields.h"
+#include "reading/checks/contacts_of_bodies.h"
 #include "reading/checks/planar.h"
 #include "reading/data_error.h"
 #include "reading/dump.h"
@@ -33,6 +34,20 @@ double squared_gyration_radius(const RunParameters& parameters) {
   }
 }
 
+/// Two particles, or one and a wall, and a direction.
+void require_sound(const SphereContact& contact, const VectorColumns& normal, std::size_t row,
+                   const std::string& file) {
+  if (!contact.wall && contact.i == contact.j)
+    throw DataError(file + ": a contact of particle " + std::to_string(contact.i) +
+                    " with itself, expected two particles");
+  double square = 0;
+  for (const auto* column : normal) square += (*column)[row] * (*column)[row];
+  if (std::fabs(square - 1) > 1e-3)
+    throw DataError(file + ": columns nx ny nz: expected a unit vector, found one of length " +
+                    number_text(std::sqrt(square), 4) + " in a contact of particle " +
+                    std::to_string(contact.i));
+}
+
 }  // namespace
 
 RunNetwork read_network(const std::string& run) {
@@ -48,6 +63,7 @@ RunNetwork read_network(const std::string& run) {
   const Frame contacts = frame_beside(frame, dumps_of_run(run, "contacts"));
   require_planar_bodies(frame, parameters.number("particle_diameter_m"));
   require_planar_contacts(contacts);
+  require_contacts_of_bodies(contacts, frame);
 
   RunNetwork network;
   network.stiffness = parameters.number("normal_stiffness_N_m");
@@ -82,6 +98,7 @@ RunNetwork read_network(const std::string& run) {
   const std::vector<SphereContact> all = read_contacts(contacts);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const SphereContact& each = all[k];
+    require_sound(each, normal, k, contacts.file);
     NetworkContact one = {};
     one.i = body_of(each.i);
     one.j = each.wall ? -1 : body_of(each.j);

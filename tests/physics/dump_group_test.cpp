@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Dumps of a group: its particles alone, to which all others are walls.
+// Dumps of a group: its particles alone, to which all others are walls. Sorted dumps.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "deck.h"
 #include "liggghts_run.h"
@@ -58,5 +63,37 @@ TEST(DumpOfAGroup, WhatIsNotInItIsAWallOnOneAndTwoRanks) {
     ASSERT_EQ(bodies.rows(), 2U);
     EXPECT_NEAR(bodies.column("x")[0], 0.01598, 1e-12);
     EXPECT_NEAR(bodies.column("x")[1], 0.05, 1e-12);
+  }
+}
+
+// Three balls that touch one another have three contacts, and two of these the same sphere_i: as
+// many rows as atoms, whose ids are no places in the file.
+TEST(SortedDumps, ContactsAsManyAsAtomsAreSortedBySphereOnOneAndTwoRanks) {
+  const std::string three_balls =
+      "create_atoms 1 single 0.049 0.05 0 units box\n"
+      "create_atoms 1 single 0.05199 0.05 0 units box\n"
+      "create_atoms 1 single 0.050495 0.0525894 0 units box\n"
+      "set group all diameter 0.003 density 2500\n"
+      "fix motion all nve/sphere\nrun 0\n"
+      "write_dump all contact/gran c.dump modify sort id\n"
+      "write_dump all contact/gran down.dump modify sort -3\n"
+      "write_dump all multisphere/sphere s.dump modify sort id\n"
+      "write_dump all multisphere/body b.dump modify sort id\n";
+  for (const int ranks : {1, 2}) {
+    const auto run = run_liggghts(Deck().processors("* 1 1").with(three_balls), {}, ranks);
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    for (const std::string name : {"c.dump", "down.dump"}) {
+      const Table contacts = read_dump(run.folder / name);
+      ASSERT_EQ(contacts.rows(), 3U);
+      auto ids = contacts.column("sphere_i");
+      if (name == "down.dump") std::reverse(ids.begin(), ids.end());
+      EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end())) << name;
+      std::set<std::pair<double, double>> pairs;
+      for (std::size_t c = 0; c < 3; ++c)
+        pairs.insert(std::minmax(contacts.column("sphere_i")[c], contacts.column("sphere_j")[c]));
+      EXPECT_EQ(pairs, (std::set<std::pair<double, double>>{{1, 2}, {1, 3}, {2, 3}})) << name;
+    }
+    for (const std::string name : {"s.dump", "b.dump"})
+      EXPECT_EQ(read_dump(run.folder / name).column("id"), (std::vector<double>{1, 2, 3})) << name;
   }
 }

@@ -74,6 +74,17 @@ TEST(ParameterCommand, NamesTheWrongValueAndWhatWasExpected) {
   expect_error({{"timestep", "1e-5s"}}, "parameter 'timestep': expected a number, got '1e-5s'");
 }
 
+// The deposition's step under mass scaling, without mass scaling: a name that the user can set.
+TEST(ParameterCommand, SaysWhyThereIsNoAutomaticValue) {
+  const auto run = run_liggghts("deposition/in.deposition", {{"timestep", "auto"}, {"out", "run"}});
+  EXPECT_NE(run.exit_code, 0);
+  EXPECT_NE(run.output.find("ERROR: parameter 'timestep': value 'auto' needs mass_scaling of at "
+                            "least 1, got 0"),
+            std::string::npos)
+      << run.output;
+  EXPECT_FALSE(std::filesystem::exists(run.folder / "run"));
+}
+
 TEST(ParameterCommand, RefusesAVariableNobodyDeclared) {
   expect_error({{"partciles", "12"}}, "unknown deck parameter 'partciles' on the command line");
 }

@@ -336,13 +336,36 @@ TEST_F(AccuracyRun, OtherSettingsAndMalformedRowsAreOneLineErrors) {
   const auto malformed = accuracy();
   EXPECT_EQ(malformed.exit_code, 1);
   EXPECT_THAT(malformed.output, HasSubstr("accuracy.csv:5: expected scene,method,"));
+  // Rows that no run leaves, which have made a cost or a figure of infinity.
+  const std::string head = "scene,method,order,steps_per_contact,error,force_evaluations,seconds\n";
+  const std::pair<const char*, const char*> rows[] = {
+      {"spin_planar,ab3,3,30,nan,100,1\n", "2: expected an error of 0 or more, found 'nan'"},
+      {"spin_planar,ab3,3,30,-1,100,1\n", "2: expected an error of 0 or more, found '-1'"},
+      {"spin_planar,ab3,3,30,0,0,1\n", "2: expected a number above 0, found '0'"},
+      {"spin_planar,ab3,3,inf,0,100,1\n", "2: expected a finite number, found 'inf'"},
+      {"spin_planar,ab3,3,30,0,100,0\n", "2: expected a time above 0, found '0'"}};
+  for (const auto& [row, expected] : rows) {
+    std::ofstream(folder_ / "out/accuracy.csv") << head << row;
+    const auto wrong = accuracy();
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_THAT(wrong.output, HasSubstr(std::string("accuracy.csv:") + expected));
+  }
 }
 
 TEST_F(AccuracyRun, WrongCommandLinesNameTheValue) {
   for (const auto& [more, expected] :
        {std::pair("--methods ab5", "--methods: expected one of"),
         {"--scenes up", "--scenes: expected one of"},
-        {"--steps 1", "--steps: expected a number of 3 to 100000, found"}}) {
+        {"--steps 1", "--steps: expected a number of 3 to 100000, found"},
+        // What would run twice, or not at all.
+        {"--methods ab3,ab3", "--methods: expected each once, found 'ab3' twice"},
+        {"--scenes beds,beds", "--scenes: expected each once, found 'beds' twice"},
+        {"--steps 28,30,28", "--steps: expected each once, found '28' twice"},
+        {"--comparisons engine,engine", "--comparisons: expected each once, found 'engine' twice"},
+        {"--scenes spin_3d --comparisons engine", "--comparisons: expected with the scene beds"},
+        {"--quick --seeds 2", "--seeds: expected with the scene beds"},
+        {"--scenes stability --per-line 2", "--per-line: expected with the scene beds"},
+        {"--scenes beds --steps 28", "--steps: expected with a scene other than beds"}}) {
     const auto run = rodpack::test::run_rodpack(std::string("accuracy o ") + more);
     EXPECT_EQ(run.exit_code, 2) << more;
     EXPECT_THAT(run.output, HasSubstr(expected));

@@ -115,8 +115,26 @@ TEST(Outflow, ReadsItsTableWithoutRowsThatWereComputedAnew) {
     return "";
   };
   EXPECT_THAT(refusal("1,1,-0.5,9,9,0,3\n"), HasSubstr("no rows after the opening"));
-  EXPECT_THAT(refusal("1,1,0.5,9,9,0,3\n"), HasSubstr("no row before the opening"));
-  EXPECT_THAT(refusal("1,1,0.5,9,9,-1,3\n"), HasSubstr("discharge.csv:2: expected a number of "));
+  EXPECT_THAT(refusal("1,1,0.5,9,9,0,3\n"), HasSubstr("discharge.csv: no row before the opening"));
+  for (const std::string count : {"-1", "1e16", "1e308"})
+    EXPECT_THAT(refusal("1,1,0.5,9,9," + count + ",3\n"),
+                HasSubstr("discharge.csv:2: expected a number of particles of 0 to 1e15, found '" +
+                          count + "'"));
+  for (const std::string time : {"1e10", "-1e300"})
+    EXPECT_THAT(refusal("1,1," + time + ",9,9,0,3\n"),
+                HasSubstr("discharge.csv:2: expected a time of -1e9 to 1e9 s, found '" + time));
+  // Its last count could be a part of one.
+  EXPECT_THAT(refusal("1,1,-0.5,9,9,0,3\n1,1,0.5,9,9,0,3"),
+              HasSubstr("discharge.csv: the file is cut short: its last line has no line end"));
+}
+
+// Times that no particle falls in, from a hand or a time step that is none: a rate beyond all.
+TEST(Outflow, NoTimeHasNoRate) {
+  auto history = even_flow(800, 2, 0);
+  for (double& time : history.time) time *= 1e-300;
+  const auto outflow = measure_outflow(history, {});
+  EXPECT_FALSE(outflow.rate);
+  EXPECT_FALSE(outflow.rate_error);
 }
 
 std::vector<double> rates(const std::vector<double>& widths, double c, double k, double exponent) {
@@ -241,6 +259,44 @@ TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
       "\"friction\": 0.5}");
   EXPECT_THAT(refusal("5 7 9 copy"), HasSubstr("key 'friction': expected null as in 5, found 0.5"));
   EXPECT_FALSE(std::filesystem::exists(folder / "refused.csv"));
+}
+
+TEST(DischargeCommand, ParametersOutOfRangeAreRefused) {
+  const auto folder = fresh_folder();
+  write_runs(folder, 0.9, 1.5, "");
+  const auto refusal = [&](const std::string& parameters) {
+    put(folder / "5/parameters.json", "{\"particle_diameter_m\": 1e-3, " + parameters + "}");
+    const auto refused = test::run_rodpack("discharge 5", folder);
+    EXPECT_EQ(refused.exit_code, 1) << refused.output;
+    return refused.output;
+  };
+  const std::string width = "\"orifice_width_m\": ", gravity = "\"gravity_m_s2\": ";
+  for (const std::string wrong : {"0", "-1", "1e300", "1e-300"})
+    EXPECT_THAT(refusal(width + wrong + ", " + gravity + "10"),
+                HasSubstr("5/parameters.json: key 'orifice_width_m': expected a number of 1e-12"));
+  EXPECT_THAT(refusal(width + "5e-3, " + gravity + "0"),
+              HasSubstr("key 'gravity_m_s2': expected a number above 0, found 0"));
+  const std::string sound = width + "5e-3, " + gravity + "10, ";
+  EXPECT_THAT(refusal(sound + "\"close_after_s\": -1"), HasSubstr("key 'close_after_s'"));
+  EXPECT_THAT(
+      refusal(sound + "\"close_after_s\": 1e-3"),
+      HasSubstr("discharge.csv: no row between the opening of the orifice and its closing"));
+  for (const std::string axis : {"\"q\"", "\"\"", "\"xy\"", "5", "null"})
+    EXPECT_THAT(refusal(sound + "\"vertical_axis\": " + axis),
+                HasSubstr("key 'vertical_axis': expected \"x\", \"y\" or \"z\", found " + axis));
+}
+
+// gnuplot says five lines where it stops: one of them is the reason.
+TEST(DischargeCommand, AFigureThatCannotBeWrittenIsOneLine) {
+  const auto folder = fresh_folder();
+  write_runs(folder, 0.9, 1.5, "");
+  const auto said = test::run_rodpack("discharge 5 -o /proc/outflow", folder);
+  EXPECT_EQ(said.exit_code, 1);
+  const auto begin = said.output.find("rodpack: ");
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_EQ(std::count(said.output.begin(), said.output.end(), '\n'), 2) << said.output;
+  EXPECT_THAT(said.output.substr(begin),
+              HasSubstr("/proc/outflow.png: gnuplot failed to draw it: line "));
 }
 
 // A scene in space says so by its vertical axis; the two laws do not mix.

@@ -226,10 +226,32 @@ TEST(InclineCommand, MeasuresARunAndSaysWhatItIs) {
   EXPECT_EQ(profile.exit_code, 0) << profile.output;
   EXPECT_THAT(profile.output, HasSubstr("gravity is 17.19 degrees off -y: angles are to the base"));
   EXPECT_THAT(profile.output, HasSubstr("Janssen fit: none where gravity is off -y"));
-  const auto several = test::run_rodpack("incline run run -o all --last 1", folder);
+  const auto twice = test::run_rodpack("incline run ./run", folder);
+  EXPECT_EQ(twice.exit_code, 1);
+  EXPECT_THAT(twice.output, HasSubstr("./run: expected each run once, found that of run\n"));
+  std::filesystem::copy(folder / "run", folder / "copy", std::filesystem::copy_options::recursive);
+  const auto several = test::run_rodpack("incline run copy -o all --last 1", folder);
   EXPECT_EQ(several.exit_code, 0) << several.output;
   EXPECT_THAT(several.output, HasSubstr("none of the flows is steady: no figure"));
   EXPECT_THAT(test::text_of(folder / "all.csv"), HasSubstr("\nrun,17.18"));
+
+  // So narrow a scale leaves nothing at the base, and nothing between the discs.
+  const auto narrow = test::run_rodpack("incline run --scale-in-dp 0.01 -o narrow", folder);
+  EXPECT_EQ(narrow.exit_code, 0) << narrow.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "narrow.svg"));
+
+  // Contacts of particles that are not there.
+  put(folder / "copy/dumps/bodies.300.dump",
+      bodies_text({column.discs.begin(), column.discs.begin() + 3}, 300));
+  const auto foreign = test::run_rodpack("incline copy", folder);
+  EXPECT_EQ(foreign.exit_code, 1);
+  EXPECT_THAT(foreign.output, HasSubstr("expected contacts and bodies of one run"));
+  auto weightless = parameters;
+  weightless.replace(weightless.find("9.81"), 4, "0");
+  put(folder / "copy/parameters.json", "{" + weightless + "10}");
+  const auto light = test::run_rodpack("incline copy", folder);
+  EXPECT_EQ(light.exit_code, 1);
+  EXPECT_THAT(light.output, HasSubstr("key 'gravity_m_s2': expected a number above 0, found 0\n"));
 
   put(folder / "run/parameters.json", "{" + parameters + "95}");
   const auto steep = test::run_rodpack("incline run", folder);

@@ -53,6 +53,9 @@ TEST(TableReader, NamesStandInTheLastCommentBeforeTheRowsOrInTheFirstLine) {
       read_table(written("# Time-averaged data\n# TimeStep c_ke\n 7\t8\n# end\n"));
   EXPECT_THAT(averaged.names(), ElementsAre("TimeStep", "c_ke"));
   EXPECT_THAT(averaged.column("c_ke"), ElementsAre(8));
+  // A title may say a word twice, as that of a fix called 'data' does: it names no columns.
+  EXPECT_THAT(read_table(written("# Time-averaged data for fix data\n# t ke\n1 2\n")).names(),
+              ElementsAre("t", "ke"));
   EXPECT_THAT(read_table(written("out\n1e-4\n -2e-4\n")).column("out"), ElementsAre(1e-4, -2e-4));
 }
 
@@ -78,6 +81,8 @@ TEST(TableReader, ErrorsNameFileLineColumnValueAndExpectation) {
   EXPECT_EQ(error_of("a,b\n1,2,3\n"), ":2: expected a,b, found '1,2,3'");
   EXPECT_EQ(error_of(""), ":1: expected a line with the names of the columns, found an empty file");
   EXPECT_EQ(error_of("a,c\n1,2\n", {}, "a,b"), ":1: expected a,b, found 'a,c'");
+  EXPECT_EQ(error_of("#\n1 2\n"),
+            ":2: expected a line with the names of the columns first, found '1 2'");
   EXPECT_EQ(error_of("a\n1\n2.5\n", [](const auto& t) { t.whole_numbers("a"); }),
             ":3: expected a whole number, found '2.5' (column 'a')");
   EXPECT_EQ(error_of("a\nmaybe\n", [](const auto& t) { t.refuse(0, "a", "yes or no"); }),

@@ -180,7 +180,55 @@ TEST(RunNetwork, AContactOfAnUnknownParticleIsRefused) {
     read_network(rod_on_floor("4").string());
     FAIL() << "expected a DataError";
   } catch (const DataError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("a contact of particle 4, expected those of"));
+    EXPECT_THAT(error.what(), HasSubstr("particle 4 is not in"));
+  }
+}
+
+// Of one body with itself, and in no direction.
+TEST(RunNetwork, ContactsThatAreNoneAreRefused) {
+  const auto refusal = [](const std::string& found, const std::string& wrong) -> std::string {
+    const auto run = rod_on_floor();
+    const auto file = run / "dumps/contacts.000000000007.dump";
+    std::string text = test::text_of(file);
+    const auto at = text.find(found);
+    if (at == std::string::npos) return "not there: " + found;
+    put(file, text.replace(at, found.size(), wrong));
+    try {
+      read_network(run.string());
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "taken";
+  };
+  EXPECT_THAT(refusal(" 1e-7 0 0 1 0\n", " 1e-7 0 0 0 0\n"),
+              HasSubstr("columns nx ny nz: expected a unit vector, found one of length 0 in a "
+                        "contact of particle 1"));
+  EXPECT_THAT(refusal("1 0 1 0 1 ", "1 1 1 0 0 "),
+              HasSubstr("a contact of particle 1 with itself, expected two particles"));
+}
+
+TEST(RunNetwork, ParametersOutOfRangeAreRefused) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"\"normal_stiffness_N_m\": 2000", "\"normal_stiffness_N_m\": 0"},
+      {"\"normal_stiffness_N_m\": 2000", "\"normal_stiffness_N_m\": 1e300"},
+      {"\"tangential_stiffness_N_m\": 1000", "\"tangential_stiffness_N_m\": -1"},
+      {"\"damping_ratio_normal\": 0.2", "\"damping_ratio_normal\": 1e300"},
+      {"\"damping_ratio_tangential\": 0.2", "\"damping_ratio_tangential\": -1"},
+      {"\"overlap\": 0.5", "\"overlap\": 1"},
+      {"\"curvature_deg\": 0", "\"curvature_deg\": 400"}};
+  for (const auto& [right, changed] : wrong) {
+    const auto run = rod_on_floor();
+    std::string text = test::text_of(run / "parameters.json");
+    text.replace(text.find(right), std::string(right).size(), changed);
+    put(run / "parameters.json", text);
+    const std::string key = std::string(changed).substr(1, std::string(changed).find('"', 1) - 1);
+    try {
+      read_network(run.string());
+      FAIL() << changed;
+    } catch (const DataError& error) {
+      EXPECT_THAT(error.what(),
+                  HasSubstr("parameters.json: key '" + key + "': expected a number "));
+    }
   }
 }
 

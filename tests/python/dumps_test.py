@@ -159,6 +159,10 @@ class Series(FileTest):
         self.assertEqual([each.step for each in Run(self.folder / "run").bodies], [0, 100, 200])
         with self.assertRaisesRegex(FileNotFoundError, "spheres"):
             run.spheres
+        (self.folder / "run/dumps/bodies.0.dump").unlink()
+        self.write("run/result.json", '{"step": 50}')
+        self.refuses(lambda _: Run(self.folder / "run").bodies, self.folder / "run/dumps/bodies.100.dump",
+                     None, "up to step 50, at which the run ended", "found step 100")
         self.refuses(lambda _: Run(self.write("run/result.json", '{"step": 2.5}').parent).bodies,
                      self.folder / "run/result.json", None, "key 'step'", "2.5")
 
@@ -189,6 +193,20 @@ class Refusals(FileTest):
         self.refused(frame(1, "1\n").replace("id x", "id \x1b[2Jx"), 10, "(id ?[2Jx)")
         self.refused(frame(1, "1 a\n").replace("id x", "id \x1b[2Jx"), 10, "column '?[2Jx'")
         self.refused("x" * 1_000_001, None, "at most 1000000 characters")
+
+    def test_a_file_s_name_keeps_to_one_line_too(self):
+        file = self.write("a\n\x1b[31mb.dump", "hello\n")
+        with self.assertRaises(rodpack.FormatError) as caught:
+            read_all(file)
+        self.assertEqual(str(caught.exception),
+                         f"{self.folder}/a??[31mb.dump:1: expected 'ITEM: TIMESTEP', found 'hello'")
+        self.assertEqual(caught.exception.file, str(file))
+        with self.assertRaisesRegex(FileNotFoundError, "no.where: no such run folder"):
+            Run(self.folder / "no\nwhere")
+
+    def test_a_head_of_very_many_columns(self):
+        names = " ".join(f"{k:x}" for k in range(100_000))
+        self.refused(frame(1, "1\n", 1).replace("id x", names + " 1869f"), 9, "'1869f' twice")
 
     def test_heads_that_are_no_heads(self):
         self.changed("\n5\n", "\n5.5\n", 2, "timestep", "'5.5'")

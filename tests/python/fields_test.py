@@ -112,6 +112,24 @@ class Refusals(FileTest):
         self.changed('Origin="0 0 0"', "", None, "Origin", "3 numbers")
         self.changed('Spacing="1 1 1"', 'Spacing="1 1 1" Direction="0 1 0 1 0 0 0 0 1"', None, "Direction")
 
+    def test_grids_that_are_larger_than_their_data(self):
+        none = PLAIN.replace('<DataArray type="Float64" Name="phi" format="ascii">1 2.5</DataArray>', "")
+        for last in ("1", "1999999999", "999999999999999999"):
+            self.changed("0 1 0 0 0 0", f"0 {last} 0 0 0 0", None, "a field or more", text=none)
+        self.changed("0 1 0 0 0 0", "0 999999999 0 999999999 0 0", None,
+                     "expected 1000000000000000000 numbers")
+        self.changed('Spacing="1 1 1"', 'Spacing="1e308 1 1"', None, "places that are finite")
+        self.changed("0 1 0 0 0 0", "9 10 0 0 0 0", None, "places that are finite",
+                     text=PLAIN.replace('Spacing="1 1 1"', 'Spacing="1e308 1 1"'))
+
+    def test_parts_that_are_elsewhere(self):
+        self.changed("<Piece", '<AppendedData encoding="raw">_xx</AppendedData><Piece', None,
+                     "AppendedData as a part of VTKFile itself")
+        self.changed("<VTKFile", '<?xml version="1.0" encoding="foo"?><VTKFile', None, "unknown encoding")
+        nan = coded(8, then=np.array([np.nan]).tobytes())
+        self.changed("<Piece", '<FieldData><DataArray type="Float64" Name="TimeValue" format="binary">' + nan
+                     + "</DataArray></FieldData><Piece", None, "'TimeValue'", "a finite number, found nan")
+
     def test_types_and_encodings_that_are_not_known(self):
         self.changed("LittleEndian", "MiddleEndian", None, "byte_order", "'MiddleEndian'")
         self.changed('"LittleEndian"', '"LittleEndian" header_type="UInt8"', None, "header_type", "'UInt8'")
@@ -169,6 +187,16 @@ class Refusals(FileTest):
         refused(coded(1, 16, 0, 4) + "AAAAAA==", "compressed block is damaged")
         refused(coded(1, 16, 0, 400) + "AAAAAA==", "is cut short")
         refused(coded(0, 16, 0), "expected 16 bytes", "found 0")
+
+    def test_a_block_of_more_bytes_than_an_address_can_count(self):
+        size = 1_518_000_000 * 10**9 * 8
+        self.assertTrue(2**63 < size < 2**64)
+        packed = zlib.compress(bytes(10))
+        head = base64.b64encode(np.array([1, size, 0, len(packed)], "<u8").tobytes()).decode()
+        text = PLAIN.replace("0 1 0 0 0 0", "0 1517999999 0 999999999 0 0").replace(
+            'format="ascii">1 2.5', f'format="binary">{head}{coded(then=packed)}').replace(
+            'LittleEndian"', 'LittleEndian" header_type="UInt64" compressor="vtkZLibDataCompressor"')
+        self.refuses(read_fields, self.write("bad.vti", text), None, "compressed block is damaged")
 
 
 if __name__ == "__main__":

@@ -136,6 +136,13 @@ class Examples(FileTest):
         self.assertIn("bodies.4.dump:9: expected straight particles", printed)
         self.assertEqual(list(self.folder.glob("rods*")), [])
 
+    def test_an_example_without_dumps_says_so_in_a_line(self):
+        (self.folder / "run").mkdir()
+        stand_in = '__version__ = "3.4.0"\n'
+        for name, words in (("nematic_with_freud.py", ()), ("capsules_for_ovito.py", ("rods.xyz",))):
+            printed = self.run_example(name, *words, status=1, stand_in=stand_in)
+            self.assertEqual(printed, f"{name}: {self.folder}/run/dumps/bodies.*.dump: no such file\n")
+
     def test_without_freud_the_example_says_so(self):
         self.write("run/dumps/bodies.3.dump", bodies_text([0.3]))
         printed = self.run_example("nematic_with_freud.py", status=1, stand_in="raise ImportError\n")

@@ -29,6 +29,17 @@ class Tables(FileTest):
         table = read_table(self.write("a.txt", "# Time-averaged data\n# step  ke\n\n0 1.5\n100 2\n# end\n"))
         self.assert_equal(table["ke"], [1.5, 2])
 
+    def test_words_of_a_comment_that_names_no_columns(self):
+        # LIGGGHTS's own titles name the fix, here one that is called 'data'.
+        titles = "# Time-averaged data for fix data\n#\n# step, or so, or\n# step ke\n"
+        table = read_table(self.write("a.txt", titles + "0 1.5\n"))
+        self.assertEqual((table.names, table.line), (("step", "ke"), 4))
+
+    def test_a_header_of_very_many_columns(self):
+        names = [f"{k:x}" for k in range(100_000)]
+        self.assertEqual(read_table(self.write("a.txt", " ".join(names) + "\n")).names, tuple(names))
+        self.refuses(read_table, self.write("a.txt", " ".join(names) + " 1869f\n"), 1, "'1869f' twice")
+
     def test_a_table_without_rows(self):
         self.assert_equal(read_table(self.write("a.csv", "x,y\n"))["y"], np.empty(0))
 
@@ -49,6 +60,9 @@ class Tables(FileTest):
         refused("x,y\n1,2\n3\n", 3, "expected 2 fields (x y), found 1", "'3'")
         refused("x,y\n1,2,3\n", 2, "found 3")
         refused("x,x\n1,2\n", 1, "'x' twice")
+        refused("#\n1 2\n", 1, "names of the columns, found none")
+        refused("#\n", 1, "names of the columns, found none")
+        refused("x,\n1,2\n", 1, "a name for each column, found none for column 2")
         refused("x,y\n1,2\n3,4", 3, "no line end")
         refused("x,y\n1,nan\n", 2, "column 'y'", "finite number", "'nan'")
         refused("x,y\n1,1.2.3\n", 2, "'1.2.3'")
@@ -74,10 +88,12 @@ class Json(FileTest):
         refused('{"a": 1, "a": 2}', None, "'a' twice")
         refused('{"a": NaN}', None, "finite numbers", "NaN")
         refused('{"a": 1e999}', None, "finite numbers", "1e999")
+        refused('{"a": 1' + "0" * 400 + "}", None, "finite numbers", "1000")
+        refused("{" + ",".join(f'"{k}":1' for k in range(100_000)) + ',"99999":1}', None, "'99999' twice")
         refused("[1]", None, '{ "key": value, ... }')
         refused("[" * 100_000, None, "JSON object")
         refused(b'{"a": "\xff"}', None, "JSON object")
-        refused('{"a": ' + "1" * 5000 + "}", None, "JSON object")
+        refused('{"a": ' + "1" * 5000 + "}", None, "finite numbers", "1111")
         self.refuses(read_json, self.folder, None, "no regular file")
         self.every_cut_is_refused(read_json, self.write("a.json", '{"a": [1, 2.5], "b": null}'))
 

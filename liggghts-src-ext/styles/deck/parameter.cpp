@@ -148,6 +148,9 @@ std::string Parameter::automatic_value(const Declaration& it,
     arguments.fail("value 'auto' is that of the variable '" + variable +
                    "', which is not set here: expected a number");
   const std::string number = value;
+  double ignored = 0;
+  // A deck that has no value to offer says there why.
+  if (!read_number(number, ignored)) arguments.fail("value 'auto' " + number);
   std::string words[] = {it.name, "delete"};
   char* remove[] = {&words[0][0], &words[1][0]};
   input->variable->set(2, remove);  // the word on the command line would stay otherwise

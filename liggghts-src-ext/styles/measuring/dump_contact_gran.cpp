@@ -22,7 +22,7 @@ ContactRecord turned(ContactRecord contact) {
 
 DumpContactGran::DumpContactGran(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg), recorder_(lmp, std::string("dump ") + style) {
-  set_columns("ENTRIES", rodpack::contact_dump::columns);
+  set_columns("ENTRIES", rodpack::contact_dump::columns, rodpack::contact_dump::sphere_i);
 }
 
 void DumpContactGran::init_style() {
@@ -58,7 +58,7 @@ void DumpContactGran::list_rows() {
     row.overlap = contact.overlap;
     row.spring = contact.spring;
     vectorCopy3D(contact.normal, row.normal);
-    add_row(atom->tag[contact.i], row);
+    add_row(row);
   }
 }
 

@@ -37,12 +37,8 @@ DumpMultisphereBody::DumpMultisphereBody(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg) {
   if (!atom->sphere_flag)
     StyleArguments(lmp, narg, arg, 5, "Dump").fail("requires atom style sphere");
-  set_columns("ATOMS", rodpack::body_dump::columns);
-  // By the first column rather than by id: that takes the rows for atoms where their number is
-  // right.
+  set_columns("ATOMS", rodpack::body_dump::columns, rodpack::body_dump::id);
   sortBuffer = new SortBuffer(lmp, true);
-  const char* const by_id[] = {"sort", "1"};
-  sortBuffer->modify_param(2, by_id);
 }
 
 void DumpMultisphereBody::list_rows() {
@@ -86,7 +82,7 @@ void DumpMultisphereBody::list_bodies(const ParticleIdentity& particles) {
     row.curvature = chains[k].curvature;
     row.area = chains[k].area;
     row.mass = data.mass(k);
-    add_row(data.tag(k), row);
+    add_row(row);
   }
 }
 
@@ -106,7 +102,7 @@ void DumpMultisphereBody::list_plain_spheres(const ParticleIdentity& particles) 
     row.half_length = row.radius = radius;
     row.area = MY_PI * radius * radius;
     row.mass = atom->rmass[i];
-    add_row(particles.id_of(i), row);
+    add_row(row);
   }
 }
 

@@ -12,7 +12,7 @@ namespace LAMMPS_NS {
 
 DumpMultisphereSphere::DumpMultisphereSphere(LAMMPS* lmp, int narg, char** arg)
     : TableDump(lmp, narg, arg), recorder_(lmp, std::string("dump ") + style) {
-  set_columns("ATOMS", rodpack::sphere_dump::columns);
+  set_columns("ATOMS", rodpack::sphere_dump::columns, rodpack::sphere_dump::id);
   sortBuffer = new SortBuffer(lmp, true);
 }
 
@@ -47,7 +47,7 @@ void DumpMultisphereSphere::list_rows() {
     row.radius = atom->radius[i];
     vectorCopy3D(forces[i].data(), row.force);
     row.force_sum = forces[i][3];
-    add_row(atom->tag[i], row);
+    add_row(row);
   }
 }
 

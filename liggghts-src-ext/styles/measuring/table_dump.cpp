@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include "domain.h"
+#include "sort_buffer.h"
 #include "stop_run.h"
 #include "update.h"
 
@@ -39,7 +40,19 @@ void TableDump::init_style() {
   format = new char[std::strlen(format_real) + 1];
   std::strcpy(format, format_real);
   domain->boundary_string(boundstr);
+  sort_by_column();
   if (!multifile) openfile();
+}
+
+/// 'sort id' of the base class takes the rows for the atoms of the group where their number is the
+/// same, and a place in the file for each id: a contact's row has an id that others have too.
+void TableDump::sort_by_column() {
+  if (!sortBuffer || !sortBuffer->sort_set() || sortBuffer->get_sortcol() != 0) return;
+  const auto is_id = [this](const rodpack::DumpColumn& column) { return column.name == id_; };
+  const auto place = std::find_if(columns_.begin(), columns_.end(), is_id) - columns_.begin();
+  const std::string number = std::to_string(place + 1);
+  const char* const by_column[] = {"sort", number.c_str()};
+  sortBuffer->modify_param(2, by_column);
 }
 
 void TableDump::write() {
@@ -71,15 +84,11 @@ void TableDump::finish_file() {
 
 int TableDump::count() {
   rows_.clear();
-  ids_.clear();
   list_rows();
-  return static_cast<int>(ids_.size());
+  return static_cast<int>(rows_.size() / columns_.size());
 }
 
-void TableDump::pack(int* ids) {
-  std::copy(rows_.begin(), rows_.end(), buf);
-  if (ids) std::copy(ids_.begin(), ids_.end(), ids);
-}
+void TableDump::pack(int*) { std::copy(rows_.begin(), rows_.end(), buf); }
 
 void TableDump::write_header(bigint entries) {
   // As LAMMPS writes it: whoever reads metres must not take these numbers for metres.

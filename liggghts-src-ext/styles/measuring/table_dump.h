@@ -22,40 +22,42 @@ class TableDump : public Dump {
   void write();
 
  protected:
-  /// Sets the columns of the file; `label` is ATOMS or ENTRIES, as the header lines have it.
+  /// Sets the columns of the file; `label` is ATOMS or ENTRIES, as the header lines have it, `id`
+  /// the column that 'dump_modify sort id' sorts by.
   template <std::size_t number>
-  void set_columns(const std::string& label, const rodpack::DumpColumn (&columns)[number]) {
+  void set_columns(const std::string& label, const rodpack::DumpColumn (&columns)[number],
+                   const rodpack::DumpColumn& id) {
     label_ = label;
     columns_.assign(columns, columns + number);
     size_one = static_cast<int>(number);
+    id_ = id.name;
   }
   /// Calls add_row() for each row of this rank.
   virtual void list_rows() = 0;
-  /// Adds a row, which has one value per column; `id` is what 'dump_modify sort id' sorts by.
+  /// Adds a row, which has one value per column.
   template <class Row>
-  void add_row(int id, const Row& row) {
+  void add_row(const Row& row) {
     static_assert(sizeof(Row) % sizeof(double) == 0, "a row consists of doubles");
     const double* const values = reinterpret_cast<const double*>(&row);
-    ids_.push_back(id);
     rows_.insert(rows_.end(), values, values + sizeof(Row) / sizeof(double));
   }
 
   void init_style();
   void openfile();
   int count();
-  void pack(int* ids);
+  void pack(int*);
   void write_header(bigint entries);
   void write_data(int lines, double* values);
 
  private:
   void finish_file();
+  void sort_by_column();
 
   OutputFile file_;
   bool gzipped_;
-  std::string label_;
+  std::string label_, id_;
   std::vector<rodpack::DumpColumn> columns_;
   std::vector<double> rows_;  // of this rank and frame, one after the other
-  std::vector<int> ids_;
 };
 
 }  // namespace LAMMPS_NS

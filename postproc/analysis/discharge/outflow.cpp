@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reading/checks/line_end.h"
 #include "reading/data_error.h"
+#include "reading/number_text.h"
 #include "reading/table.h"
 
 namespace rodpack {
@@ -38,7 +40,9 @@ void measure_rate(const OutflowHistory& history, Outflow& outflow) {
                     std::lower_bound(t.begin(), t.end(), outflow.from);
   const auto count = [&](double time) { return between(t, history.discharged, time); };
   const double through = count(outflow.to) - count(outflow.from);
-  if (rows < fewest_rows || through < fewest_particles) return;
+  constexpr double shortest = 1e-9;  // s; less is no time to fall through
+  if (rows < fewest_rows || through < fewest_particles || outflow.to - outflow.from < shortest)
+    return;
   const double length = (outflow.to - outflow.from) / intervals;
   const double mean = through / (outflow.to - outflow.from);
   double squares = 0;
@@ -58,21 +62,29 @@ void cut_at(double time, OutflowHistory& history) {
   for (auto* column : {&history.time, &history.inside, &history.discharged, &history.throat})
     column->resize(rows);
   if (rows == 0 || history.time.back() <= 0)
-    throw DataError("discharge: no row between the opening of the orifice and its closing");
+    throw DataError(
+        history.file +
+        ": no row between the opening of the orifice and its closing at close_after_s = " +
+        number_text(time) + " s");
 }
 
 }  // namespace
 
 OutflowHistory read_outflow(const std::string& discharge_csv) {
   const Table table = read_table(discharge_csv);
+  require_line_end(discharge_csv);
   const auto& times = table.finite("since_opening_s");
   OutflowHistory history;
+  history.file = discharge_csv;
   const struct {
     const char* name;
     std::vector<double>& to;
   } counts[] = {
       {"inside", history.inside}, {"discharged", history.discharged}, {"throat", history.throat}};
+  constexpr double longest_time = 1e9, most_particles = 1e15;
   for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!(std::fabs(times[i]) <= longest_time))
+      table.refuse(i, "since_opening_s", "a time of -1e9 to 1e9 s");
     while (!history.time.empty() && history.time.back() >= times[i]) {
       history.time.pop_back();
       for (const auto& each : counts) each.to.pop_back();
@@ -80,7 +92,8 @@ OutflowHistory read_outflow(const std::string& discharge_csv) {
     history.time.push_back(times[i]);
     for (const auto& each : counts) {
       const double value = table.finite(each.name)[i];
-      if (value < 0) table.refuse(i, each.name, "a number of particles of 0 or more");
+      if (value < 0 || value > most_particles)
+        table.refuse(i, each.name, "a number of particles of 0 to 1e15");
       each.to.push_back(value);
     }
   }
@@ -93,7 +106,7 @@ Outflow measure_outflow(OutflowHistory history, const OutflowOptions& options) {
   if (options.closed_at) cut_at(*options.closed_at, history);
   const auto opened =
       std::upper_bound(history.time.begin(), history.time.end(), 0.0) - history.time.begin();
-  if (opened == 0) throw DataError("discharge: no row before the opening of the orifice");
+  if (opened == 0) throw DataError(history.file + ": no row before the opening of the orifice");
   const double throat = history.throat[static_cast<std::size_t>(opened) - 1];
   Outflow outflow;
   outflow.discharged = history.discharged.back();

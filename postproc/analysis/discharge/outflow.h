@@ -14,11 +14,12 @@ struct OutflowHistory {
   std::vector<double> inside;      // particles above the orifice
   std::vector<double> discharged;  // particles that have come through
   std::vector<double> throat;      // particles in the space above the orifice
+  std::string file = "discharge";  // that holds them, for messages
 };
 
 /// Reads a discharge.csv (columns since_opening_s, inside, discharged, throat), without the rows
 /// that a run resumed from a restart has computed anew. @throws DataError when a column is missing,
-/// a field is no finite number or a count negative, or there are no rows after the opening.
+/// a field is no time or count, the file is cut short, or there are no rows after the opening.
 OutflowHistory read_outflow(const std::string& discharge_csv);
 
 /// How a discharge ended.

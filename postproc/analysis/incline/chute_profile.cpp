@@ -8,6 +8,7 @@
 #include "analysis/fields.h"
 #include "analysis/line_fit.h"
 #include "reading/angles.h"
+#include "reading/checks/contacts_of_bodies.h"
 #include "reading/checks/planar.h"
 #include "reading/csv_file.h"
 #include "rodpack/averaging/averaging_kernel.h"
@@ -102,6 +103,7 @@ void ChuteSample::add_contacts(const Frame& contacts) {
 }
 
 void ChuteSample::add(const Packing& packing, const Frame& bodies, const Frame& contacts) {
+  require_contacts_of_bodies(contacts, bodies);
   if (frames_ == 0) start(packing);
   ++frames_;
   sums_.surface += packing.surface - packing.walls.floor;

@@ -33,8 +33,14 @@ std::vector<AccuracyRow> read_rows(const std::string& file) {
   const auto& steps_per_contact = table.column("steps_per_contact");
   const auto& error = table.column("error");
   const auto& force_evaluations = table.column("force_evaluations");
-  const auto& seconds = table.column("seconds");
+  const auto& seconds = table.finite("seconds");
   std::vector<AccuracyRow> rows;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (!(error[i] >= 0)) table.refuse(i, "error", "an error of 0 or more");
+    if (!(seconds[i] > 0)) table.refuse(i, "seconds", "a time above 0");
+    for (const char* name : {"steps_per_contact", "force_evaluations"})
+      if (!(table.finite(name)[i] > 0)) table.refuse(i, name, "a number above 0");
+  }
   for (std::size_t i = 0; i < table.rows(); ++i)
     rows.push_back({scene[i], method[i], static_cast<int>(order[i]), steps_per_contact[i], error[i],
                     force_evaluations[i], seconds[i]});

@@ -34,8 +34,9 @@ void plot_chute(const ChuteProfile& profile, const std::string& stem) {
   const double top = *std::max_element(profile.load_onto.begin(), profile.load_onto.end());
   const auto unit = scaled_unit(top, "N/m");
   std::vector<double> height, velocity, fraction, onto, down, load_onto, load_down;
-  for (std::size_t k = 0; k < profile.height.size(); ++k) {
-    if (profile.solid_fraction[k] < 0.01 * most) break;
+  std::size_t last = profile.height.size() - 1;
+  while (last > 0 && profile.solid_fraction[last] < 0.01 * most) --last;
+  for (std::size_t k = 0; k <= last; ++k) {
     height.push_back(profile.height[k] / d);
     velocity.push_back(profile.velocity[k] / speed);
     fraction.push_back(profile.solid_fraction[k]);

@@ -47,4 +47,7 @@ def main(words):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    try:
+        main(sys.argv[1:])
+    except (OSError, LookupError, rodpack.FormatError) as error:
+        sys.exit(f"nematic_with_freud.py: {error}")

@@ -10,7 +10,7 @@ import re
 
 import numpy as np
 
-from .errors import FormatError, listed, no_such_column, shortened
+from .errors import FormatError, first_repeated, listed, no_such_column, printable, shortened
 from .named_arrays import NamedArrays
 from .text import Lines, number, whole_number
 
@@ -80,7 +80,12 @@ class Dump:
             if step == again:
                 raise FormatError(file, None, f"expected each step once, found step {step} as in {before}")
         if last_step is not None:
+            later = starts
             starts = [(step, file) for step, file in starts if step <= last_step]
+            if later and not starts:
+                step, file = later[0]
+                raise FormatError(file, None, f"expected a frame up to step {last_step}, at which the run "
+                                              f"ended, found step {step} as the first")
         self._starts = starts
         self.files = tuple(file for _, file in starts)
 
@@ -111,7 +116,7 @@ class Dump:
         for frame in Dump(earlier[-1:], self._last_step):
             if frame.step == step:
                 return frame
-        raise LookupError(f"no frame of step {step} in {' '.join(self.files[:1])}"
+        raise LookupError(f"no frame of step {step} in {printable(' '.join(self.files[:1]))}"
                           f"{' and those after it' if len(self.files) > 1 else ''}")
 
 
@@ -231,9 +236,9 @@ def _read_names(lines):
     names = words[2:]
     if not names:
         lines.fail("this line names no columns")
-    for index, name in enumerate(names):
-        if name in names[:index]:
-            lines.fail(f"expected each column once, found '{shortened(name)}' twice")
+    twice = first_repeated(names)
+    if twice is not None:
+        lines.fail(f"expected each column once, found '{shortened(twice)}' twice")
     lines.need_line_end()
     return names
 

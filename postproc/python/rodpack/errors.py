@@ -15,13 +15,27 @@ class FormatError(ValueError):
 
     def __str__(self):
         place = self.file if self.line is None else f"{self.file}:{self.line}"
-        return f"{place}: {self.args[2]}"
+        return f"{printable(place)}: {self.args[2]}"
+
+
+def printable(text):
+    """`text` on one line, '?' for what a terminal could take for a command: names of files may hold it."""
+    return "".join(each if each.isprintable() else "?" for each in text)
 
 
 def shortened(text):
-    """`text` cut off after 60 characters, '?' for what a terminal could take for a command."""
-    shown = "".join(each if each.isprintable() else "?" for each in text[:60])
-    return shown if len(text) <= 60 else shown + "..."
+    """`text` cut off after 60 characters, as printable() shows it."""
+    return printable(text[:60]) + ("..." if len(text) > 60 else "")
+
+
+def first_repeated(names):
+    """The first name that has been before; None where each is there once. A header may have 100 000."""
+    seen = set()
+    for name in names:
+        if name in seen:
+            return name
+        seen.add(name)
+    return None
 
 
 def listed(names):

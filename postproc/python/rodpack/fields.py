@@ -10,6 +10,7 @@ import base64
 import binascii
 import math
 import re
+import sys
 import zlib
 from xml.etree import ElementTree
 
@@ -95,11 +96,14 @@ class _Image:
             content = content[:match.start()] + b"<AppendedData" + match[1] + b"/>" + content[end + 15:]
         try:
             self.root = ElementTree.fromstring(content)
-        except (ElementTree.ParseError, ValueError) as error:
+        except (ElementTree.ParseError, ValueError, LookupError) as error:  # the last: an unknown encoding
             line = getattr(error, "position", (None,))[0]
             raise FormatError(file, line, f"expected VTK image data (XML), found an error: {error}") from None
         if match:
-            self.appended_encoding = self.root.find("AppendedData").get("encoding", "")
+            element = self.root.find("AppendedData")
+            if element is None:
+                self.fail("expected AppendedData as a part of VTKFile itself, found it elsewhere")
+            self.appended_encoding = element.get("encoding", "")
 
     def fail(self, message):
         raise FormatError(self.file, None, message)
@@ -141,7 +145,8 @@ class _Image:
         if min(count) < 1:
             self.fail(f"expected a grid of one place or more along x, y, z, found {count}")
         spacing = np.array(self.numbers(image, "Spacing", 3))
-        origin = np.array(self.numbers(image, "Origin", 3)) + spacing * extent[::2]
+        with np.errstate(over="ignore"):  # is said below
+            origin = np.array(self.numbers(image, "Origin", 3)) + spacing * extent[::2]
 
         arrays, components = {}, {}
         shape = count[::-1] if count[2] > 1 else count[1::-1]
@@ -163,12 +168,22 @@ class _Image:
             unnamed = "xyz" if width == 3 else [str(k) for k in range(width)]
             names = tuple(element.get(f"ComponentName{k}", unnamed[k]) for k in range(width))
             components[name] = names if width > 1 else ()
+        if not arrays:  # which have shown by their sizes that there are as many places as is said
+            self.fail("expected a field or more in PointData, found none")
+        with np.errstate(over="ignore", invalid="ignore"):
+            last = origin + spacing * np.array(count)
+        if not np.isfinite(last).all():
+            self.fail("expected places that are finite numbers, found a grid of Spacing "
+                      f"'{shortened(image.get('Spacing', ''))}' beyond them")
         return Fields(self.file, origin, spacing, count, self.time(image), arrays, components)
 
     def time(self, image):
         for element in image.findall("FieldData/DataArray"):
             if element.get("Name") == "TimeValue":
-                return float(self.values(element, "TimeValue", 1)[0])
+                time = float(self.values(element, "TimeValue", 1)[0])
+                if not math.isfinite(time):
+                    self.fail(f"field 'TimeValue': expected a finite number, found {time}")
+                return time
         return None
 
     def values(self, element, name, size):
@@ -233,7 +248,7 @@ class _Image:
             unpack = zlib.decompressobj()
             try:
                 # One byte more than is expected shows a block that is too long, whatever it would grow to.
-                part = unpack.decompress(data[at:at + length], expected + 1)
+                part = unpack.decompress(data[at:at + length], min(expected + 1, sys.maxsize))
             except zlib.error:
                 part = b""
             if len(part) != expected or not unpack.eof:

@@ -4,7 +4,7 @@
 import json
 import math
 
-from .errors import FormatError, shortened
+from .errors import FormatError, first_repeated, shortened
 from .text import open_regular
 
 # The "format" of a summary.json whose numbers mean what the page of this version says.
@@ -20,8 +20,7 @@ def read_json(file):
     def unique(pairs):
         result = dict(pairs)
         if len(result) != len(pairs):
-            names = [name for name, _ in pairs]
-            twice = next(name for name in names if names.count(name) > 1)
+            twice = first_repeated(name for name, _ in pairs)
             refuse(f"expected each key once in an object, found '{shortened(twice)}' twice")
         return result
 
@@ -31,10 +30,15 @@ def read_json(file):
             refuse(f"expected finite numbers, found {shortened(text)}")
         return value
 
+    def whole(text):
+        finite(text)
+        return int(text)
+
     with open_regular(file) as stream:
         content = stream.read()
     try:
-        result = json.loads(content, object_pairs_hook=unique, parse_float=finite, parse_constant=finite)
+        result = json.loads(content, object_pairs_hook=unique, parse_float=finite, parse_int=whole,
+                            parse_constant=finite)
     except FormatError:
         raise
     except json.JSONDecodeError as error:

@@ -5,7 +5,7 @@ from functools import cached_property
 from pathlib import Path
 
 from .dumps import Dump
-from .errors import FormatError
+from .errors import FormatError, printable
 from .fields import read_fields
 from .json_files import read_json, read_summary
 from .tables import read_table
@@ -25,7 +25,7 @@ class Run:
     def __init__(self, folder):
         self.folder = Path(folder)
         if not self.folder.is_dir():
-            raise FileNotFoundError(f"{folder}: no such run folder")
+            raise FileNotFoundError(f"{printable(str(folder))}: no such run folder")
 
     def __repr__(self):
         return f"Run({str(self.folder)!r})"
@@ -84,7 +84,7 @@ class Run:
         may end earlier than the one before had come, and those are of a course that it did not take."""
         files = [*self.folder.glob(f"dumps/{kind}.*.dump"), *self.folder.glob(f"dumps/{kind}.*.dump.gz")]
         if not files:
-            raise FileNotFoundError(f"{self.folder}/dumps/{kind}.*.dump: no such file")
+            raise FileNotFoundError(f"{printable(str(self.folder))}/dumps/{kind}.*.dump: no such file")
         end = None
         if (self.folder / "result.json").exists():
             end = self.result.get("step")

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from .errors import FormatError, listed, no_such_column, shortened
+from .errors import FormatError, first_repeated, listed, no_such_column, shortened
 from .named_arrays import NamedArrays
 from .text import Lines, number
 
@@ -58,6 +58,7 @@ def read_table(file):
     twice, a row with another number of fields, a last line without line end, what is not text.
     """
     names, header, comma = None, None, False
+    comment = None  # the last one, and its line: prose, where another one follows
     numbers, fields = [], []
     with Lines(file) as lines:
         while (text := lines.next()) is not None:
@@ -66,12 +67,14 @@ def read_table(file):
             if not text:
                 continue
             if text.startswith("#"):
-                if not fields:
-                    names, header, comma = *_names(lines, text[1:].strip()), "," in text
+                comment = text[1:].strip(), lines.number
                 continue
             if names is None:
-                names, header, comma = *_names(lines, text), "," in text
-                continue
+                header = comment[1] if comment else lines.number
+                text_of_names = comment[0] if comment else text
+                names, comma = _names(lines.file, header, text_of_names), "," in text_of_names
+                if not comment:
+                    continue
             row = _split(text, comma)
             if len(row) != len(names):
                 lines.fail(f"expected {len(names)} fields ({listed(names)}), found {len(row)}: "
@@ -79,8 +82,10 @@ def read_table(file):
             numbers.append(lines.number)
             fields.append(row)
         if names is None:
-            raise FormatError(lines.file, None,
-                              "expected a line with the names of the columns, found an empty file")
+            if not comment:
+                raise FormatError(lines.file, None,
+                                  "expected a line with the names of the columns, found an empty file")
+            header, names = comment[1], _names(lines.file, comment[1], comment[0])
         return Table(lines.file, header, names, numbers, fields)
 
 
@@ -88,9 +93,14 @@ def _split(text, comma):
     return [word.strip() for word in text.split(",")] if comma else text.split()
 
 
-def _names(lines, text):
+def _names(file, line, text):
     names = _split(text, "," in text)
-    for index, name in enumerate(names):
-        if name in names[:index]:
-            lines.fail(f"expected each column once, found '{shortened(name)}' twice")
-    return names, lines.number
+    if not names:
+        raise FormatError(file, line, "expected the names of the columns, found none")
+    if not all(names):
+        raise FormatError(file, line, "expected a name for each column, found none for column "
+                                      f"{names.index('') + 1}")
+    twice = first_repeated(names)
+    if twice is not None:
+        raise FormatError(file, line, f"expected each column once, found '{shortened(twice)}' twice")
+    return names

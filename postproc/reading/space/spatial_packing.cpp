@@ -11,6 +11,7 @@
 #include "reading/number_text.h"
 #include "reading/parsing.h"
 #include "reading/scene/scene_walls.h"
+#include "reading/space/vertical_axis.h"
 
 namespace rodpack {
 namespace {
@@ -34,13 +35,7 @@ std::optional<std::size_t> stated_vertical(const std::optional<RunScene>& scene,
                     "'");
   }
   if (const auto axis = scene ? scene->vertical() : std::nullopt) return axis;
-  if (!parameters || !parameters->values.contains("vertical_axis")) return std::nullopt;
-  const auto& value = parameters->values.at("vertical_axis");
-  if (value.is_string())
-    if (const auto axis = axis_named(value.get<std::string>())) return axis;
-  throw DataError(parameters->file +
-                  ": key 'vertical_axis': expected \"x\", \"y\" or \"z\", found " +
-                  shortened(value.dump()));
+  return parameters ? vertical_axis(*parameters) : std::nullopt;
 }
 
 void add_cylinder(const std::vector<double>& cylinder, SpatialWalls& walls) {

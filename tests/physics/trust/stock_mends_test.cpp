@@ -245,3 +245,58 @@ TEST(StockMends, NumbersOfCommandsAreWholeWordsInTheirRange) {
   const auto run = run_liggghts(sphere("timestep +1.0E-5\nrun 10\nrun +20 upto\nrun 0"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
 }
+
+// On the axis every direction leads to the wall: none in a cylinder that is wider than the sphere,
+// and across the axis, by the overlap of the radii, in one that is narrower. k_n 1000 N/m.
+TEST(StockMends, ASphereOnTheAxisOfACylinderTouchesItOnlyWhereItIsNarrower) {
+  for (const std::string axis : {"x", "y", "z"})
+    for (const std::string radius : {"0.02", "0.00149"}) {
+      SCOPED_TRACE(axis + " " + radius);
+      const auto run = run_liggghts(Deck()
+                                        .box("0 0.1 0 0.1 0 0.1")
+                                        .with("create_atoms 1 single 0.05 0.05 0.05 units box\n"
+                                              "set group all diameter 0.003 density 2500\n"
+                                              "fix move all nve/sphere\n"
+                                              "fix wall all wall/gran model spring_dashpot "
+                                              "tangential spring_dashpot primitive type 1 " +
+                                              axis + "cylinder " + radius +
+                                              " 0.05 0.05\n"
+                                              "run 0\n"
+                                              "write_dump all contact/gran c.dump\n"));
+      ASSERT_EQ(run.exit_code, 0) << run.output;
+      const Table contacts = read_dump(run.folder / "c.dump");
+      ASSERT_EQ(contacts.rows(), radius == "0.02" ? 0u : 1u);
+      if (contacts.rows() == 0) continue;
+      EXPECT_NEAR(contacts.column("overlap_n")[0], 1e-5, 1e-12);
+      const double f[3] = {contacts.column("fx")[0], contacts.column("fy")[0],
+                           contacts.column("fz")[0]};
+      EXPECT_EQ(f[axis[0] - 'x'], 0.0);
+      EXPECT_NEAR(std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]), 0.01, 1e-9);
+    }
+}
+
+// Stock reads meshes and inserts particles with words for a screen, whether there is one or not.
+TEST(StockMends, RunsWithoutAScreenOnOneAndTwoRanks) {
+  const std::string silo = " -in '" RODPACK_REPOSITORY "/inputs/discharge3d/in.discharge3d'" +
+                           std::string(
+                               " -var particles 20 -var settle_time 0.01 -var lid_speed 5 "
+                               "-var flow_limit 0.01 -var container_width 0.024 "
+                               "-var orifice_width 0.015 -var column_fraction 0.05");
+  const std::string mpi =
+      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpiexec --oversubscribe -np 2 ";
+  const auto folder = fresh_folder();
+  const std::pair<std::string, std::string> starts[] = {
+      {"none", ""}, {"none", mpi}, {"said.txt", mpi}};
+  int k = 0;
+  for (const auto& [screen, start] : starts) {
+    const std::string out = "run" + std::to_string(k++);
+    const auto run = run_command(start + "'" RODPACK_BIN "/liggghts' -log none -screen " + screen +
+                                     silo + " -var out " + out,
+                                 folder);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(run.output, "");
+    EXPECT_THAT(text_of(folder / out / "log.liggghts"), HasSubstr("Loop time"));
+    EXPECT_TRUE(std::filesystem::exists(folder / out / "result.json"));
+  }
+  EXPECT_THAT(text_of(folder / "said.txt"), HasSubstr("Loop time"));
+}
