@@ -25,71 +25,73 @@ done
 version=$(cat "$src/version_liggghts.txt" 2> /dev/null || echo unknown)
 [ "$version" = 3.8.0 ] || fail "$src is version $version, expected 3.8.0"
 
-# One file of ours at a time, as it reads there; gone when the script ends, however it does.
+# All our files as they read there, in their places; gone when the script ends, however it does.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 1' HUP INT TERM
+ours=$scratch/ours
+export LC_ALL=C # one order for sort and comm
 
-# Calls "$1 OURS THEIRS" for each file, OURS as it reads there: LIGGGHTS compiles one flat folder and
-# names no other to the compiler. So styles lie flat, headers of the core in rodpack/<room>/, and
-# includes name the way from the one to the other.
-for_each_file() {
-  for file in "$ext"/styles/*/*.h "$ext"/styles/*/*.cpp; do
-    "$1" "$file" "$src/$(basename "$file")"
-  done
-  for file in "$ext"/core/include/rodpack/*.h "$ext"/core/include/rodpack/*/*.h "$ext"/core/src/*.h "$ext"/core/src/*/*.h \
-    "$ext"/vtk/rodpack/*/*.h; do
-    place=${file#"$ext"/core/include/rodpack/}
-    place=${place#"$ext"/core/src/}
-    place=${place#"$ext"/vtk/rodpack/}
-    sed 's|#include "rodpack/|#include "../|' "$file" > "$scratch/ours"
-    "$1" "$scratch/ours" "$src/rodpack/$place"
-  done
-  # The prefix keeps our sources apart from LIGGGHTS's own. What they include is public (named from
-  # rodpack/ on already), private and one folder up, or private and beside them.
-  for file in "$ext"/core/src/*/*.cpp; do
-    room=$(basename "$(dirname "$file")")
-    sed -e '/#include "rodpack\//b' -e 's|#include "\.\./|#include "rodpack/|' \
-      -e '/#include "rodpack\//b' -e "s|#include \"|#include \"rodpack/$room/|" "$file" > "$scratch/ours"
-    "$1" "$scratch/ours" "$src/rodpack_${room}_$(basename "$file")"
-  done
-  "$ext/write-version.sh" "$scratch/version.cpp"
-  "$1" "$scratch/version.cpp" "$src/rodpack_version.cpp"
-}
-
-print_place() {
-  echo "$2"
-}
-
-refuse_different() {
-  # Ours alone, and another one after each commit.
-  if [ "$2" = "$src/rodpack_version.cpp" ]; then return 0; fi
-  if [ -e "$2" ] && ! cmp -s "$1" "$2"; then
-    fail "$2 exists and differs from ours; --update replaces it"
-  fi
-}
-
-copy() {
-  if [ ! -e "$2" ]; then
-    mkdir -p "$(dirname "$2")"
-    cp "$1" "$2"
-  elif ! cmp -s "$1" "$2"; then
-    cp "$1" "$2"
-    echo "replaced $2"
-  fi
-}
-
-places=$(for_each_file print_place | sort)
-twice=$(echo "$places" | uniq -d)
+# LIGGGHTS compiles one flat folder and names no other to the compiler. So styles lie flat, headers of the
+# core in rodpack/<room>/, and its sources flat, with a prefix that keeps them apart from LIGGGHTS's own.
+(cd "$ext" && ls styles/*/*.h styles/*/*.cpp core/include/rodpack/*.h core/include/rodpack/*/*.h \
+  core/src/*.h core/src/*/*.h vtk/rodpack/*/*.h core/src/*/*.cpp) > "$scratch/files"
+sed -e 's|^styles/[^/]*/||' -e 's|^core/include/||' -e 's|^vtk/||' \
+  -e 's|^core/src/\([^/]*\)/\(.*\.cpp\)$|rodpack_\1_\2|' -e 's|^core/src/|rodpack/|' \
+  "$scratch/files" > "$scratch/to"
+{ cat "$scratch/to" && echo rodpack_version.cpp; } | sort > "$scratch/places"
+twice=$(uniq -d "$scratch/places")
 [ -z "$twice" ] || fail "two of our files have one place there: $twice"
-for file in "$src"/rodpack_*.cpp "$src"/rodpack/*.h "$src"/rodpack/*/*.h; do
-  if [ ! -e "$file" ] || echo "$places" | grep -qxF "$file"; then continue; fi
-  [ "$update" = yes ] || fail "$file is of another version of ours; --update removes it"
-  rm "$file"
-  echo "removed $file"
+
+mkdir "$ours"
+grep / "$scratch/places" | sed 's|/[^/]*$||' | uniq | (cd "$ours" && xargs mkdir -p)
+cp "$ext"/styles/*/*.h "$ext"/styles/*/*.cpp "$ours"
+# Includes name the way from one place to the other. What a source includes is public (named from rodpack/
+# on already), private and one folder up, or private and beside it.
+paste -d ' ' "$scratch/files" "$scratch/to" | while read -r file place; do
+  room=${file#core/src/}
+  room=${room%/*}
+  case $file in
+    styles/*) ;;
+    *.h) sed 's|#include "rodpack/|#include "../|' "$ext/$file" > "$ours/$place" ;;
+    *)
+      sed -e '/#include "rodpack\//b' -e 's|#include "\.\./|#include "rodpack/|' \
+        -e '/#include "rodpack\//b' -e "s|#include \"|#include \"rodpack/$room/|" "$ext/$file" > "$ours/$place"
+      ;;
+  esac
 done
-[ "$update" = yes ] || for_each_file refuse_different
-for_each_file copy
+"$ext/write-version.sh" "$ours/rodpack_version.cpp"
+
+# Checksums of what stands at our places.
+sums() {
+  (cd "$1" && xargs cksum < "$scratch/places" 2> /dev/null) | sort
+}
+names() {
+  cut -d ' ' -f 3- | sort
+}
+sums "$ours" > "$scratch/ours.sums"
+sums "$src" > "$scratch/theirs.sums"
+comm -13 "$scratch/ours.sums" "$scratch/theirs.sums" | names > "$scratch/different"
+names < "$scratch/theirs.sums" | comm -13 - "$scratch/places" > "$scratch/missing"
+(cd "$src" && ls -d rodpack_*.cpp rodpack/*.h rodpack/*/*.h 2> /dev/null) | sort |
+  comm -13 "$scratch/places" - > "$scratch/left"
+
+# The version's source is ours alone, and another one after each commit.
+differs=$(grep -vx 'rodpack_version.cpp' "$scratch/different" | head -n 1)
+if [ "$update" = no ]; then
+  [ ! -s "$scratch/left" ] ||
+    fail "$src/$(head -n 1 "$scratch/left") is of another version of ours; --update removes it"
+  [ -z "$differs" ] || fail "$src/$differs exists and differs from ours; --update replaces it"
+fi
+while read -r file; do
+  rm "$src/$file"
+  echo "removed $src/$file"
+done < "$scratch/left"
+while read -r file; do
+  cp "$ours/$file" "$src/$file"
+  echo "replaced $src/$file"
+done < "$scratch/different"
+(cd "$ours" && tar -cf - -T "$scratch/missing") | (cd "$src" && tar -xf -)
 
 # Model combinations to be compiled for the fast path: the user's own lines stay.
 list=style_contact_model_user.whitelist

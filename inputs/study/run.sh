@@ -94,8 +94,10 @@ esac
 
 # A table that is wrong is refused before anything starts; what that takes is there after the set-up alone.
 if [ -z "${RODPACK_BIN:-}" ]; then docker/setup.sh study; fi
+# They are looked for, not loaded, which takes longer than all that follows here.
+has_modules='import sys; from importlib.util import find_spec; sys.exit(not (find_spec("snakemake") and find_spec("yaml")))'
 for python in /usr/bin/python3 python3 ''; do
-  if [ -n "$python" ] && "$python" -c 'import snakemake, yaml' 2> /dev/null; then break; fi
+  if [ -n "$python" ] && "$python" -c "$has_modules" 2> /dev/null; then break; fi
 done
 if [ -z "$python" ]; then refuse "no python3 that has the modules snakemake and yaml (docker/packages-study.txt)"; fi
 export PYTHONDONTWRITEBYTECODE=1

@@ -37,12 +37,12 @@ cmake -DLIGGGHTS_SOURCE="$3" -DLIGGGHTS_WORK="$3/staged" -P "$ext/StageLiggghts.
 # As `make auto` does. The stock list of combinations is taken over: making it takes Make.sh a minute.
 cp "$3/staged/src/style_contact_model.whitelist" "$tree"
 (cd "$tree" && sh Make.sh style && sh Make.sh models > /dev/null)
-for header in "$ext"/styles/*/*.h; do
-  name=$(basename "$header")
-  if grep -q '^#ifdef [A-Z]*_\(CLASS\|MODEL\)' "$header"; then
-    cat "$tree"/style_*.h | grep -qF "\"$name\"" || fail "$name is in no style list"
-  fi
-done
+grep -l '^#ifdef [A-Z]*_\(CLASS\|MODEL\)' "$ext"/styles/*/*.h | sed 's|.*/\(.*\)|"\1"|' > "$3/registered"
+[ "$(wc -l < "$3/registered")" -gt 10 ] || fail "the headers that register styles were not found"
+cat "$tree"/style_*.h > "$3/lists"
+while read -r name; do
+  grep -qF "$name" "$3/lists" || fail "$name is in no style list"
+done < "$3/registered"
 while read -r combination; do
   grep -qF "$combination" "$tree/style_contact_model.h" || fail "not whitelisted: $combination"
 done < "$ext/styles/contact/style_contact_model_user.whitelist"
@@ -56,10 +56,20 @@ for source in "$ext"/styles/*/*.cpp; do
 done
 
 # modify.cpp sees every fix and compute, ours with what they include from the core.
-# dump_stress_goldhirsch.cpp is one that finds its way without VTK, too.
-for source in modify.cpp dump_stress_goldhirsch.cpp rodpack_*.cpp; do
+# dump_stress_goldhirsch.cpp is one that finds its way without VTK, too. Of the core, a room at a time, but
+# for the loops of one kind of processor.
+for room in "$ext"/core/src/*/; do
+  room=$(basename "$room")
+  if [ "$room" != planar_simd ]; then
+    for source in "$ext/core/src/$room"/*.cpp; do
+      echo "#include \"rodpack_${room}_$(basename "$source")\""
+    done > "room_$room.cpp"
+  fi
+done
+for source in modify.cpp dump_stress_goldhirsch.cpp room_*.cpp rodpack_planar_simd_*.cpp rodpack_version.cpp; do
   "$compiler" -std=c++14 -w -fsyntax-only "$source" || fail "$source does not compile in the tree"
 done
+rm room_*.cpp
 
 # A file of the user's that has our name stays, and is named.
 echo "// mine" > rodpack/geometry/chain_geometry.h

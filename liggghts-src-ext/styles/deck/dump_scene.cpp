@@ -8,7 +8,6 @@
 
 #include "atom.h"
 #include "domain.h"
-#include "dump_files.h"
 #include "fix_gravity.h"
 #include "fix_mesh_surface.h"
 #include "fix_property_global.h"
@@ -68,27 +67,20 @@ std::string text_of(const WallShape& shape) {
 
 }  // namespace
 
-DumpScene::DumpScene(LAMMPS* lmp, int narg, char** arg) : Dump(lmp, narg, arg) {
+DumpScene::DumpScene(LAMMPS* lmp, int narg, char** arg) : FileDump(lmp, narg, arg) {
   if (narg > 5) stop_run(lmp, *this, std::string("unknown argument ") + arg[5]);
-  const std::string name = filename, end = ".json";
-  if (multiproc || name.size() < end.size() ||
-      name.compare(name.size() - end.size(), end.size(), end) != 0)
-    stop_run(lmp, *this, "file is " + name + ", expected a name that ends in .json, without %");
+  require_ending({".json"});
 }
 
 void DumpScene::init_style() {
-  if (std::strcmp(update->unit_style, "si") != 0)
-    stop_run(lmp, *this,
-             std::string("its keys are named with units of SI: the deck's units are ") +
-                 update->unit_style + ", expected si");
   if (domain->triclinic) stop_run(lmp, *this, "does not support a triclinic box");
-  require_folder(lmp, *this, filename);
+  require_si_and_folder("keys");
 }
 
 void DumpScene::write() {
   const std::string text = scene();
   if (me != 0) return;
-  const std::string fault = write_whole(name_at_step(filename, update->ntimestep, padflag), text);
+  const std::string fault = write_whole(file_name(), text);
   if (!fault.empty()) stop_run_from_one_rank(lmp, *this, fault);
 }
 

@@ -8,23 +8,19 @@ DumpStyle(scene,DumpScene)
 #define LMP_DUMP_SCENE_H
 
 #include <string>
-#include "dump.h"
+#include "file_dump.h"
 
 namespace LAMMPS_NS {
 
 /// dump scene: writes what surrounds the particles, walls, box and gravity, as a JSON file; see
 /// doc/dump_scene.md.
-class DumpScene : public Dump {
+class DumpScene : public FileDump {
  public:
   DumpScene(class LAMMPS* lmp, int narg, char** arg);
   void write();
 
  protected:
   void init_style();
-  // Dump::write's steps for lines per atom, of which there are none here
-  void write_header(bigint) {}
-  void pack(int*) {}
-  void write_data(int, double*) {}
 
  private:
   // Parts of the file. Those of meshes are collective.

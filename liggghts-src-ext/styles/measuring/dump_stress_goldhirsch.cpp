@@ -5,7 +5,6 @@
 #include "compute_stress_goldhirsch.h"
 #include "modify.h"
 #include "stop_run.h"
-#include "dump_files.h"
 #include "update.h"
 #ifdef LAMMPS_VTK
 #include "rodpack/vtk/field_image.h"
@@ -13,35 +12,20 @@
 
 namespace LAMMPS_NS {
 
-namespace {
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-}  // namespace
-
 DumpStressGoldhirsch::DumpStressGoldhirsch(LAMMPS* lmp, int narg, char** arg)
-    : Dump(lmp, narg, arg), compute_(NULL), image_(ends_with(filename, ".vti")) {
+    : FileDump(lmp, narg, arg), compute_(NULL), image_(ends_in(".vti")) {
   if (narg != 6)
     stop_run(lmp, *this, "expected a file and the id of one compute stress/goldhirsch");
   compute_id_ = arg[5];
   if (compute_id_.compare(0, 2, "c_") == 0) compute_id_.erase(0, 2);
-  if (multiproc || (!image_ && !ends_with(filename, ".csv")))
-    stop_run(lmp, *this,
-             std::string("file is ") + filename +
-                 ", expected a name that ends in .vti or .csv, without %");
+  require_ending({".vti", ".csv"});
 #ifndef LAMMPS_VTK
   if (image_) stop_run(lmp, *this, "LIGGGHTS was built without VTK: write .csv");
 #endif
 }
 
 void DumpStressGoldhirsch::init_style() {
-  if (std::string(update->unit_style) != "si")
-    stop_run(lmp, *this,
-             std::string("its columns are named with units of SI: the deck's units are ") +
-                 update->unit_style + ", expected si");
-  require_folder(lmp, *this, filename);
+  require_si_and_folder("columns");
   const int index = modify->find_compute(compute_id_.c_str());
   compute_ = index < 0 ? NULL : dynamic_cast<ComputeStressGoldhirsch*>(modify->compute[index]);
   if (!compute_)
@@ -53,7 +37,7 @@ void DumpStressGoldhirsch::init_style() {
 void DumpStressGoldhirsch::write() {
   const std::vector<rodpack::Field>& fields = compute_->current_fields();
   if (me != 0) return;
-  const std::string name = name_at_step(filename, update->ntimestep, padflag);
+  const std::string name = file_name();
   bool written = false;
   if (image_) {
 #ifdef LAMMPS_VTK

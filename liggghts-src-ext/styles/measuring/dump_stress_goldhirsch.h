@@ -8,23 +8,19 @@ DumpStyle(stress/goldhirsch,DumpStressGoldhirsch)
 #define LMP_DUMP_STRESS_GOLDHIRSCH_H
 
 #include <string>
-#include "dump.h"
+#include "file_dump.h"
 
 namespace LAMMPS_NS {
 
 /// dump stress/goldhirsch: writes the fields of a compute stress/goldhirsch to .vti or .csv files;
 /// see doc/dump_stress_goldhirsch.md.
-class DumpStressGoldhirsch : public Dump {
+class DumpStressGoldhirsch : public FileDump {
  public:
   DumpStressGoldhirsch(class LAMMPS* lmp, int narg, char** arg);
   void write();
 
  protected:
   void init_style();
-  // Dump::write's steps for lines per atom, of which there are none here.
-  void write_header(bigint) {}
-  void pack(int*) {}
-  void write_data(int, double*) {}
 
  private:
   std::string compute_id_;

@@ -91,15 +91,6 @@ double rounding_of(const CoarseGraining& averages) { return 1e-9 * averages.kern
 
 }  // namespace
 
-bool UprightContainer::contains(const Vector& place, double slack) const {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!round || axis == vertical)
-      if (place[axis] < low[axis] - slack || place[axis] > high[axis] + slack) return false;
-  if (!round) return true;
-  return std::hypot(place[(vertical + 1) % 3] - middle[0], place[(vertical + 2) % 3] - middle[1]) <=
-         radius + slack;
-}
-
 double kernel_share(const AveragingKernel& kernel, const Vector& place,
                     const UprightContainer& container) {
   if (kernel.dimension() != 3 || kernel.shape() != KernelShape::gaussian)
@@ -110,7 +101,8 @@ double kernel_share(const AveragingKernel& kernel, const Vector& place,
     return gaussian_integral(container.low[axis] - place[axis], container.high[axis] - place[axis],
                              w);
   };
-  const auto up = container.vertical, first = (up + 1) % 3, second = (up + 2) % 3;
+  const auto up = container.vertical, first = container.horizontal(0),
+             second = container.horizontal(1);
   if (!container.round) return along(up) * along(first) * along(second);
   const double off =
       std::hypot(place[first] - container.middle[0], place[second] - container.middle[1]);

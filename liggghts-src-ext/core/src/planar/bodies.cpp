@@ -78,10 +78,8 @@ void PlanarBodyStates::set_info(int body, const PlanarBody& from) {
                  static_cast<int>(spheres_.size()),
                  count};
   tags_[body] = from.tag;
-  if (settings_.mass_scaling > 0.0) {
-    const ContactWeight weight = planar_contact_weight(from.mass, from.moment, from.radius);
-    weights_[body] = {weight.base, weight.per_square};
-  }
+  if (settings_.mass_scaling > 0.0)
+    weights_[body] = planar_contact_weight(from.mass, from.moment, from.radius);
   spheres_.insert(spheres_.end(), from.spheres.begin(), from.spheres.end());
 }
 
@@ -137,7 +135,7 @@ void PlanarBodyStates::resize(int bodies) {
   info_.resize(bodies, PlanarBodyInfo());
   tags_.resize(bodies, -1);
   if (!(settings_.mass_scaling > 0.0)) return;
-  weights_.resize(bodies, PlanarWeight());
+  weights_.resize(bodies, ContactWeight());
   weight_sums_.resize(bodies, 0.0);
 }
 

@@ -71,8 +71,8 @@ class PlanarBodyStates {
   /// Counts a contact of a body at the offset `offset` (m, in its frame) of one of its spheres.
   void add_contact(int body, const double (&offset)[2]) {
     if (settings_.mass_scaling > 0.0)
-      weight_sums_[body] += ContactWeight{weights_[body].base, weights_[body].per_square}.at(
-          offset[0] * offset[0] + offset[1] * offset[1]);
+      weight_sums_[body] +=
+          contact_weight(weights_[body], offset[0] * offset[0] + offset[1] * offset[1]);
   }
   /// Adds a force, N, and a torque about the centre of mass, N m, to the load on a body.
   void add_load(int body, Vector2<double> force, double torque) {
@@ -116,7 +116,7 @@ class PlanarBodyStates {
   AlignedVector<PlanarVector> past_velocity_[max_multistep_order - 1];
   AlignedVector<PlanarVector> past_acceleration_[max_multistep_order - 1];
   // With mass scaling alone: of a contact of each body, and the sum over its present ones.
-  std::vector<PlanarWeight> weights_;
+  std::vector<ContactWeight> weights_;
   std::vector<double> weight_sums_;
   std::vector<std::int8_t> evaluations_;
   AlignedVector<PlanarVector> missed_displacement_, missed_velocity_;

@@ -7,6 +7,7 @@
 #include "block_layout.h"
 #include "kinematics.h"
 #include "range.h"
+#include "rodpack/motion/contact_weight.h"
 #include "rodpack/motion/multistep.h"
 #include "rodpack/planar/instructions.h"
 
@@ -31,11 +32,6 @@ struct PlanarWallLine {
   double along_x, along_y, position, free_side;
 };
 
-/// Weight of a body's contacts (ContactWeight in mass_scaling.h).
-struct alignas(16) PlanarWeight {
-  double base, per_square;
-};
-
 /// Arguments of the loops over blocks, which evaluate the contacts on the fast path.
 struct PlanarForceArguments {
   // Blocks, their numbers (block_layout.h) and the indices of their constants.
@@ -54,7 +50,7 @@ struct PlanarForceArguments {
   const double* moved;  // since their reference position, an upper bound, m
   PlanarVector* loads;  // the forces are added to them
   // Weights of a contact of each body, and what they are added to; null without mass scaling.
-  const PlanarWeight* weights;
+  const ContactWeight* weights;
   double* weight_sums;
   const char* jumped;  // whether a body had an event in the step before; null: none had
   // The contact law.

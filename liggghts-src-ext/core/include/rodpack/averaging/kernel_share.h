@@ -2,10 +2,10 @@
 #ifndef RODPACK_AVERAGING_KERNEL_SHARE_H
 #define RODPACK_AVERAGING_KERNEL_SHARE_H
 
-#include <array>
 #include <vector>
 
 #include "../geometry/disc_in_rectangle.h"
+#include "../geometry/upright_container.h"
 #include "averaging_kernel.h"
 #include "coarse_graining.h"
 
@@ -18,20 +18,6 @@ namespace rodpack {
 /// 1e-9.
 /// @throws std::invalid_argument for a kernel of three dimensions.
 double kernel_share(const AveragingKernel& kernel, double x, double y, const Rectangle& container);
-
-/// An upright box in space, or a cylinder in place of its side walls; lengths in m, infinite where
-/// there is no wall.
-struct UprightContainer {
-  Vector low, high;
-  std::size_t vertical = 2;        // the axis that it stands along, 0 to 2
-  bool round = false;              // the side wall is a cylinder; `low` and `high` of the others
-                                   // two axes are of no meaning then
-  std::array<double, 2> middle{};  // its axis, along the two axes after the vertical one in the
-                                   // order x, y, z, x
-  double radius = 0;
-  /// Whether a place lies in it, or beyond its walls by at most `slack`, m.
-  bool contains(const Vector& place, double slack = 0) const;
-};
 
 /// The same in three dimensions, of the Gaussian alone: a product of error functions, and over the
 /// cross-section of a cylinder the sum of equal steps of an angle, along which the integrand is

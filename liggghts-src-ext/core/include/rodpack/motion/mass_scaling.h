@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "contact_weight.h"
+
 namespace rodpack {
 
 // Selective mass scaling. A body of a bed is held by many contacts and oscillates faster than a
@@ -25,12 +27,11 @@ namespace rodpack {
 // since the lever r of the contact is longer than that of the centre along n alone.
 // SI units.
 
-/// Weight of a contact of a body in planar motion with a sphere of its: base + per_square times the
-/// square of the distance of the sphere's centre from the centre of mass, m.
-struct ContactWeight {
-  double base, per_square;
-  double at(double square) const { return base + per_square * square; }
-};
+/// Weight of a contact of which the sphere's centre lies as far as the root of `square`, m^2, from
+/// the centre of mass.
+inline double contact_weight(const ContactWeight& weight, double square) {
+  return weight.base + weight.per_square * square;
+}
 
 /// `moment` (kg m^2) about the axis across the plane, `radius` (m) of the spheres.
 inline ContactWeight planar_contact_weight(double mass, double moment, double radius) {
