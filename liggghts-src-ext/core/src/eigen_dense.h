@@ -5,6 +5,12 @@
 // Eigen's dense matrices and eigenvalues, wherever its headers are: in the compiler's path, or in
 // its own folder of /usr/include, so that a LIGGGHTS tree of one's own needs no further -I. For
 // sources only, not for public headers.
+//
+// On a machine that has AVX-512, GCC 12 warns of its own header of it, seen through Eigen.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #ifdef __has_include
 #if __has_include(<Eigen/Dense>)
 #include <Eigen/Dense>
@@ -15,6 +21,9 @@
 #endif
 #else
 #include <Eigen/Dense>
+#endif
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
 #endif
 
 #endif
