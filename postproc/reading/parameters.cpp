@@ -24,6 +24,7 @@ NumberRange parameter_range(const std::string& key) {
       {"density_kg_m3", {0, 1e9, false, true}},
       {"friction", {0, 1000}},
       {"inclination_deg", {0, 90}},
+      {"half_angle_deg", {0, 90, false, true}},
   };
   const auto found = known.find(key);
   constexpr double largest = 1e300;
