@@ -24,7 +24,8 @@ void plot_hopper_factors(const std::vector<HopperFactor>& factors, const std::st
   }
   std::string blocks = datablock("law", {angle, law});
   std::string plots = "plot $law using 1:2 with lines linewidth 1.4 linecolor '" +
-                      std::string(colour::vermilion) + "' title 'Rose and Tanaka, {/:Italic φ}_d = 45°'";
+                      std::string(colour::vermilion) +
+                      "' title 'Rose and Tanaka, {/:Italic φ}_d = 45°'";
   int k = 0;
   for (const auto& [width, columns] : by_width) {
     const auto name = "w" + std::to_string(++k);

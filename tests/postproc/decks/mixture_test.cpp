@@ -306,11 +306,7 @@ TEST_F(AnalyseMixture, IsMeasuredByKindByTheSubcommandsToo) {
   EXPECT_THAT(said, HasSubstr("by kind, last frame:\n  rods-type1: 40 particles, "));
   EXPECT_THAT(said, HasSubstr("\n  rods-type2: 20 particles, "));
   EXPECT_THAT(said, HasSubstr(", gamma_mixture.csv\n"));
-  const auto own = rodpack::test::read_table(folder_ / "gamma_mixture.csv"),
-             whole = rodpack::test::read_table(folder_ / "mine/analysis/mixture.csv");
-  ASSERT_EQ(own.rows(), 2U);
-  for (const char* column : {"particles", "solid_share", "nematic_order_S2", "director_deg"})
-    EXPECT_EQ(own.column(column), whole.column(column)) << column;
+  EXPECT_EQ(text("gamma_mixture.csv"), text("mine/analysis/mixture.csv"));
 
   said = run("rdf mine/bodies.7.dump -o g");
   EXPECT_THAT(said, HasSubstr(", g_partial.csv .png .svg\n"));

@@ -200,8 +200,7 @@ TEST(LocalContacts, FollowTheWordsOfTheCompute) {
 // A wall's contact lists wall, triangle and sphere; its normal points from the contact point to the
 // sphere's centre, 0.0125 away, so that the overlap is 0.0005.
 TEST(LocalContacts, OfWallsPointToTheSphere) {
-  const auto spheres =
-      Spheres().add(1, 0.3, 0.5, 0.5, 0.013).add(1, 0.32, 0.5, 0.5, 0.013).frame();
+  const auto spheres = Spheres().add(1, 0.3, 0.5, 0.5, 0.013).add(1, 0.32, 0.5, 0.5, 0.013).frame();
   const auto folder = fresh_folder();
   const auto frame = [&](const std::string& rows, int count) {
     return last_frame({put(folder / "w.dump",
