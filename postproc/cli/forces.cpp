@@ -7,6 +7,8 @@
 
 #include "analysis/force_chains.h"
 #include "analysis/space/fabric.h"
+#include "analysis/stock/local_contacts.h"
+#include "analysis/stock/stock_dumps.h"
 #include "cli/checks.h"
 #include "cli/commands.h"
 #include "cli/input.h"
@@ -16,6 +18,7 @@
 #include "reading/number_text.h"
 #include "reading/packing.h"
 #include "reading/scene/run_scene.h"
+#include "report/mixture_outputs.h"
 #include "report/outputs.h"
 
 namespace rodpack::cli {
@@ -24,6 +27,7 @@ namespace {
 struct ForcesArguments {
   Input input;
   std::vector<std::string> bodies;
+  std::vector<std::string> local_words, local_walls;  // of LIGGGHTS's own dump local
   ContactForceOptions forces;
   std::string stem = "forces";
 };
@@ -61,6 +65,34 @@ void report_fabric(const Fabric& fabric) {
             << number_text(fabric.about_vertical.standard_error, 2) << '\n';
 }
 
+// Who touches whom in a mixture, of the last frame, where all particles are known.
+std::string touching_by_kind(const Frame& contacts, const std::vector<std::string>& body_files,
+                             const std::string& stem, std::string& written) {
+  if (body_files.empty()) return "";
+  try {
+    const auto bodies = as_bodies(frame_beside(contacts, body_files));
+    std::string note;
+    const auto mixture = kinds_to_measure(bodies, note);
+    if (!mixture) return note.empty() ? "" : note + '\n';
+    const auto coordination = coordination_by_species(contacts, bodies, *mixture);
+    write_mixture_table(*mixture, {}, coordination, stem + "_mixture.csv");
+    written += ", " + stem + "_mixture.csv";
+    return "by kind, last frame:\n" + describe(*mixture, {}, coordination);
+  } catch (const DataError& reason) {  // a dump of ids alone tells no kinds
+    return std::string("not by kind: ") + reason.what() + '\n';
+  }
+}
+
+// A frame of LIGGGHTS's own `dump local` as one of contacts.
+Frame contacts_of_stock(const Frame& pairs, const ForcesArguments& options) {
+  const auto spheres = frame_beside(pairs, find_dumps(options.bodies));
+  auto contacts = contacts_of_local_dump(pairs, options.local_words, spheres);
+  if (!options.local_walls.empty())
+    add_contacts_of_wall_dump(frame_beside(pairs, find_dumps(options.local_walls)),
+                              options.local_words, spheres, contacts);
+  return contacts;
+}
+
 // The axis that points up, where the contacts are to be measured in space.
 std::optional<std::size_t> vertical_in_space(const Input& input, const Frame& contacts,
                                              bool planar) {
@@ -84,7 +116,7 @@ void measure(const ForcesArguments& options) {
   Frame last;
   input.for_frames([&](const Frame& frame) {
     std::optional<Frame> bodies;
-    if (!body_files.empty()) bodies = frame_beside(frame, body_files);
+    if (!body_files.empty()) bodies = as_bodies(frame_beside(frame, body_files));
     sample.add(frame, bodies ? &*bodies : nullptr);
     if (bodies) packing.particle_diameter = sphere_diameter(*bodies, packing);
     last = frame;
@@ -99,12 +131,18 @@ void measure(const ForcesArguments& options) {
   auto written = write_contact_forces(forces, stem);
   if (fabric) written += ", " + write_fabric(*fabric, stem + "_fabric");
   if (not_planar.empty()) draw_force_chains(last, packing, stem + "_chains");
+  const auto kinds = touching_by_kind(last, body_files, stem, written);
   report(forces, friction, std::cout);
+  std::cout << kinds;
   if (fabric)
     report_fabric(*fabric);
   else if (!not_planar.empty())
     std::cout << "the fabric is left out: no --vertical, dump scene or 'vertical_axis' in "
                  "parameters.json\n";
+  if (!options.local_words.empty())
+    std::cout << "LIGGGHTS's own compute evaluates forces anew after the step: tangential ones of "
+                 "contacts that slide are not those that acted, so that neither is their mobilised "
+                 "friction\n";
   std::cout << input.passed_over_line();
   if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
   if (not_planar.empty()) written += ", " + stem + "_chains.png .svg";
@@ -130,15 +168,39 @@ void add_forces(CLI::App& app) {
       "writes forces.csv, forces_friction.csv, forces_coordination.csv, the figures of the same\n"
       "names and forces_chains, each .png/.svg; in space, with --vertical, forces_fabric.csv .png "
       ".svg\n"
-      "and forces_fabric_order.csv.");
+      "and forces_fabric_order.csv. Of a mixture, with --bodies, forces_mixture.csv too.\n"
+      "  rodpack forces pairs.dump --local pos id force --local-walls walls.dump \\\n"
+      "      --bodies spheres.dump\n"
+      "reads LIGGGHTS's own dumps of a deck with\n"
+      "  compute pairs all pair/gran/local pos id force\n"
+      "  dump pairs all local 1000 pairs.dump c_pairs[1] c_pairs[2] ... c_pairs[12]");
   add_files(*command, options->input, "contacts");
   add_all_frames(*command, options->input);
+  auto* bodies =
+      command
+          ->add_option(
+              "--bodies", options->bodies,
+              "dump files of bodies with the same timesteps, to know the particles without "
+              "contact; a quoted wildcard is fine")
+          ->check(existing_files())
+          ->type_name("FILE");
+  auto* local =
+      command
+          ->add_option(
+              "--local", options->local_words,
+              "the dumps are LIGGGHTS's own dump local of compute pair/gran/local: the words "
+              "behind that compute, id and force among them; --bodies is then a dump custom "
+              "of the spheres, id type x y z radius id_multisphere")
+          ->check(one_of(local_contact_words()))
+          ->type_name("WORD...")
+          ->needs(bodies);
   command
-      ->add_option("--bodies", options->bodies,
-                   "dump files of bodies with the same timesteps, to know the particles without "
-                   "contact; a quoted wildcard is fine")
+      ->add_option("--local-walls", options->local_walls,
+                   "dump local of compute wall/gran/local with the same words, pos among them: the "
+                   "contacts with meshes")
       ->check(existing_files())
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->needs(local);
   command->add_option("--bin", options->forces.bin_width, "width of a bin, in mean forces")
       ->check(number(1e-3, 10))
       ->capture_default_str()
@@ -155,7 +217,13 @@ void add_forces(CLI::App& app) {
   add_vertical(*command, options->input);
   add_output(*command, options->stem);
 
-  command->callback([options] { measure(*options); });
+  command->callback([options] {
+    if (!options->local_words.empty())
+      options->input.convert = [&](const Frame& pairs) {
+        return contacts_of_stock(pairs, *options);
+      };
+    measure(*options);
+  });
 }
 
 }  // namespace rodpack::cli

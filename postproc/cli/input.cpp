@@ -21,11 +21,14 @@ Frame of_kind(const Frame& frame, const std::string& kind) {
 
 void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
   const auto files = find_dumps(patterns);
-  if (!all_frames) return visit(of_kind(last_frame(files), kind));
+  const auto converted = [&](const Frame& read) {
+    return convert ? convert(read) : of_kind(read, kind);
+  };
+  if (!all_frames) return visit(converted(last_frame(files)));
   FramePool pool;
   bool any = false;
   for_each_frame(files, [&](const Frame& read) {
-    const auto frame = of_kind(read, kind);
+    const auto frame = converted(read);
     if (!pool.take(frame)) return;
     any = true;
     visit(frame);

@@ -20,6 +20,8 @@ struct Input {
   bool all_frames = false;
   PackingOptions packing;
   SpaceOptions space;
+  // Where a frame is not of the kind, what makes it one; none: what is told of for_frames().
+  std::function<Frame(const Frame&)> convert;
 
   /// Calls `visit` with the last frame, or with every frame that FramePool takes if the user asks
   /// for all. Stock dumps are read as bodies where they carry enough. @throws DataError when it

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "reading/number_text.h"
+#include "report/mixture_outputs.h"
 #include "report/outputs.h"
 
 namespace rodpack::cli {
@@ -47,18 +48,39 @@ struct OrientationCommand {
   std::optional<int> bins;
 };
 
+// The kinds of a mixture, of the last frame; `measure`: S2 and shares of a mixture. Adds to what is
+// `written`, and returns lines for the terminal, none where all particles are of one kind.
+template <class Measure>
+std::string by_kind(const Frame& last, const Measure& measure, const std::string& stem,
+                    std::string& written) {
+  std::string note;
+  const auto mixture = kinds_to_measure(last, note);
+  if (!mixture) return note.empty() ? "" : note + '\n';
+  const auto measures = measure(*mixture);
+  write_mixture_table(*mixture, measures, {}, stem + "_mixture.csv");
+  written += ", " + stem + "_mixture.csv";
+  return "by kind, last frame:\n" + describe(*mixture, measures, {});
+}
+
 void orientation_in_plane(const OrientationCommand& options) {
   OrientationSample sample;
   OptionalBondOrder bonds;
   std::string setting;
+  Frame last;
+  Packing last_packing;
   options.input.for_frames([&](const Frame& frame) {
     const auto packing = read_packing(frame, options.input.packing);
     sample.add(packing);
     bonds.add(frame, packing);
     setting = describe(packing);
+    last = frame;
+    last_packing = packing;
   });
   const auto distribution = sample.distribution(options.bins);
-  const auto written = write_orientation(distribution, options.stem);
+  auto written = write_orientation(distribution, options.stem);
+  const auto kinds = by_kind(
+      last, [&](const Mixture& mixture) { return measure_species(last_packing, mixture); },
+      options.stem, written);
   std::cout << setting << '\n'
             << options.input.passed_over_line() << distribution.particles
             << " particles; left out: " << distribution.near_walls
@@ -69,7 +91,7 @@ void orientation_in_plane(const OrientationCommand& options) {
             << "S6 = " << number_text(distribution.sixfold.order, 4)
             << ", <cos 6 gamma> = " << number_text(distribution.sixfold.mean_cosine, 4) << " +- "
             << number_text(distribution.sixfold.standard_error, 2) << '\n'
-            << bonds.line() << "written: " << written << '\n';
+            << bonds.line() << kinds << "written: " << written << '\n';
 }
 
 void report_order(const SpatialOrientation& result) {
@@ -97,16 +119,23 @@ void report_order(const SpatialOrientation& result) {
 void orientation_in_space(const OrientationCommand& options) {
   SpatialOrientationSample sample;
   std::string setting;
+  Frame last;
+  SpatialPacking last_packing;
   options.input.for_frames([&](const Frame& frame) {
     const auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
     sample.add(packing);
     setting = describe(packing);
+    last = frame;
+    last_packing = packing;
   });
   const auto result = sample.result(options.bins);
-  const auto written = write_orientation(result, options.stem);
+  auto written = write_orientation(result, options.stem);
+  const auto kinds = by_kind(
+      last, [&](const Mixture& mixture) { return measure_species(last_packing, last, mixture); },
+      options.stem, written);
   std::cout << setting << '\n' << options.input.passed_over_line();
   report_order(result);
-  std::cout << "written: " << written << '\n';
+  std::cout << kinds << "written: " << written << '\n';
 }
 
 }  // namespace
@@ -122,14 +151,14 @@ void add_orientation(CLI::App& app) {
       "space: distributions "
       "of the long axis's angle to the vertical and of its azimuth, order tensor with its "
       "principal values and directions. Particles closer than AR d_p to a side wall or the floor "
-      "are left out, spheres too.");
+      "are left out, spheres too. A mixture is measured by kind too.");
   command->footer(
       "Example:\n"
       "  rodpack orientation 'results/quick/dumps/bodies.*.dump' -o gamma\n"
       "writes gamma.csv, gamma.png/.svg (histogram) and gamma_polar.png/.svg (rose).\n"
       "  rodpack orientation bodies.dump --vertical z\n"
       "writes, in space, orientation.csv, orientation_azimuth.csv with figures of these names and\n"
-      "orientation_order.csv.");
+      "orientation_order.csv. Of a mixture, orientation_mixture.csv too, of the last frame.");
   add_files(*command, options->input, "bodies");
   add_all_frames(*command, options->input);
   add_packing_options(*command, options->input);

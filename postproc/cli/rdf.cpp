@@ -14,6 +14,7 @@
 #include "cli/input.h"
 #include "figures/pairs/peak_figure.h"
 #include "reading/number_text.h"
+#include "report/mixture_outputs.h"
 #include "report/outputs.h"
 
 namespace rodpack::cli {
@@ -107,6 +108,25 @@ void require_few_bins(double distance, double width, double most, const std::str
                                            up_to + ", found " + number_text(distance / width));
 }
 
+// Partial ones of a mixture, of the last frame. Adds to what is `written`, and returns lines for
+// the terminal, none where all particles are of one kind.
+template <class AnyPacking>
+std::string by_kind(const Frame& last, const AnyPacking& packing, const RdfCommand& options,
+                    std::string& written) {
+  std::string note;
+  const auto mixture = kinds_to_measure(last, note);
+  if (mixture) {
+    try {
+      const auto rdf = partial_rdf(packing, *mixture, options.rdf);
+      written += ", " + write_partial_rdf(rdf, *mixture, options.stem + "_partial", note);
+    } catch (const TooFewParticles& reason) {
+      note = std::string("partial RDF: ") + reason.what();
+    }
+  }
+  const auto kinds = mixture ? "by kind, last frame:\n" + describe(*mixture, {}, {}) : "";
+  return note.empty() ? kinds : kinds + note + '\n';
+}
+
 std::string largest_distances(const Rdf& rdf) {
   return "last quarter of r: G = " + number_text(rdf.tail_g, 4) + " +- " +
          number_text(rdf.tail_standard_error, 2) + '\n';
@@ -123,14 +143,19 @@ void rdf_in_space(const RdfCommand& options) {
   std::optional<AxialRdfSample> axial_sample;
   if (options.axial) axial_sample.emplace(options.along_across);
   std::string setting;
+  Frame last;
+  SpatialPacking last_packing;
   options.input.for_frames([&](const Frame& frame) {
     const auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
     sample.add(packing);
     if (axial_sample) axial_sample->add(packing);
     setting = describe(packing);
+    last = frame;
+    last_packing = packing;
   });
   const auto rdf = sample.result();
   auto written = write_rdf(rdf, options.stem);
+  const auto kinds = by_kind(last, last_packing, options, written);
   std::cout << setting << '\n' << options.input.passed_over_line() << rdf.centres << " centres";
   if (rdf.margin > 0)
     std::cout << " further than " << number_text(rdf.margin, 4) << " d_p from walls and surface"
@@ -145,28 +170,33 @@ void rdf_in_space(const RdfCommand& options) {
                 << " d_p from walls and surface";
     std::cout << '\n';
   }
-  std::cout << "written: " << written << '\n';
+  std::cout << kinds << "written: " << written << '\n';
 }
 
 void rdf_in_plane(const RdfCommand& options) {
   if (options.axial) throw CLI::ValidationError("--axial", "expected in a scene in space alone");
   RdfSample sample(options.rdf);
   std::string setting;
+  Frame last;
+  Packing last_packing;
   options.input.for_frames([&](const Frame& frame) {
     const auto packing = read_packing(frame, options.input.packing);
     sample.add(packing);
     setting = describe(packing);
+    last = frame;
+    last_packing = packing;
   });
   const auto rdf = sample.result();
   // A wrong distance shows before anything is written.
   std::optional<PeakExplanation> explanation;
   if (options.explain) explanation = explain_peak(options, rdf);
   auto written = write_rdf(rdf, options.stem);
+  const auto kinds = by_kind(last, last_packing, options, written);
   std::cout << setting << '\n'
             << options.input.passed_over_line() << rdf.centres << " centres further than "
             << number_text(rdf.margin, 4) << " d_p from walls and surface"
             << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "") << '\n'
-            << largest_distances(rdf) << "written: " << written << '\n';
+            << largest_distances(rdf) << kinds << "written: " << written << '\n';
   if (explanation) write_explanation(*explanation, rdf, options.stem + "_explained");
 }
 
@@ -200,11 +230,13 @@ void add_rdf(CLI::App& app) {
       "further than (10 + AR) d_p from the walls and from the surface of the bed (less in a small "
       "bed, and the report says so); their neighbours count up to AR d_p from them. G tends to 1 "
       "at "
-      "large r.");
+      "large r. Of a mixture also by pairs of kinds.");
   command->footer(
       "Example:\n"
       "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --r-max 15\n"
-      "writes rdf.csv and rdf.png/.svg.\n"
+      "writes rdf.csv and rdf.png/.svg; of a mixture rdf_partial.csv and .png/.svg too, of the "
+      "last "
+      "frame.\n"
       "  rodpack rdf 'results/quick/dumps/bodies.*.dump' --explain 1.7\n"
       "says in rdf_explained.csv and .png/.svg how the pairs of the peak near 1.7 d_p lie. To pool "
       "runs, name\nthe last dump of each and add --all-frames.\n"

@@ -5,15 +5,13 @@
 #include "analysis/mixture/partial_rdf.h"
 #include "analysis/rdf.h"
 #include "analysis/space/spatial_rdf.h"
-#include "figures/mixture/partial_rdf_figure.h"
 #include "reading/angles.h"
+#include "report/mixture_outputs.h"
 
 namespace rodpack {
 namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t most_species = 8;  // more are a spread of shapes rather than a mixture
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
@@ -54,31 +52,17 @@ void put_partial_rdf(const AnyPacking& packing, const Mixture& mixture, const fs
     summary["notes"].push_back(std::string("partial RDF: ") + reason.what());
     return;
   }
-  write_partial_rdf_table(*rdf, mixture, (out / "rdf_partial.csv").string());
-  if (rdf->pairs.size() > most_partial_curves) {
-    summary["notes"].push_back(
-        "partial RDF: too many pairs of kinds for a figure; rdf_partial.csv has them");
-    return;
-  }
-  plot_partial_rdf(*rdf, mixture, (out / "rdf_partial").string());
-}
-
-// The kinds, or none where there is no mixture.
-std::optional<Mixture> mixture_of(const Frame& bodies, Json& summary) {
-  if (!bodies.has("type")) return std::nullopt;
-  auto mixture = find_mixture(bodies);
-  if (mixture.is_one()) return std::nullopt;
-  if (mixture.species.size() <= most_species) return mixture;
-  summary["notes"].push_back("mixture: " + std::to_string(mixture.species.size()) +
-                             " kinds of particles, expected at most " +
-                             std::to_string(most_species) + ": nothing is measured by kind");
-  return std::nullopt;
+  std::string note;
+  write_partial_rdf(*rdf, mixture, (out / "rdf_partial").string(), note);
+  if (!note.empty()) summary["notes"].push_back(note);
 }
 
 template <class AnyPacking, class Measure>
 void report_kinds(const AnyPacking& packing, const Frame& bodies, const MeasuredContacts& contacts,
                   const fs::path& out, Json& summary, const Measure& measure) {
-  const auto mixture = mixture_of(bodies, summary);
+  std::string note;
+  const auto mixture = kinds_to_measure(bodies, note);
+  if (!note.empty()) summary["notes"].push_back(note);
   if (!mixture) return;
   std::vector<std::vector<double>> coordination;
   if (contacts.frame.rows > 0 && contacts.frame.timestep == bodies.timestep)

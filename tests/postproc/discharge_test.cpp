@@ -8,6 +8,7 @@
 #include <random>
 
 #include "analysis/discharge/beverloo_fit.h"
+#include "analysis/discharge/hopper_factor.h"
 #include "analysis/discharge/outflow.h"
 #include "liggghts_run.h"
 #include "reading/dump.h"
@@ -229,6 +230,37 @@ std::string write_runs(const std::filesystem::path& folder, double c, double exp
   return runs;
 }
 
+// tan 30 degrees = 1/sqrt 3, tan 60 = sqrt 3, tan 45 = 1; from a + b = 90 degrees on there is no
+// gain, and up to there none that jumps.
+TEST(Hopper, FactorOfRoseAndTanaka) {
+  EXPECT_NEAR(rose_tanaka_factor(30), std::pow(3, 0.175), 1e-12);
+  EXPECT_NEAR(rose_tanaka_factor(30, 30), std::pow(3, 0.35), 1e-12);
+  EXPECT_NEAR(rose_tanaka_factor(20, 50), rose_tanaka_factor(50, 20), 1e-12);
+  EXPECT_NEAR(rose_tanaka_factor(45 - 1e-9), 1, 1e-9);
+  for (const double steep : {45., 60., 90.}) EXPECT_EQ(rose_tanaka_factor(steep), 1);
+}
+
+// Flat bottoms of 10 and 12 scatter by sqrt 2, their mean by 1, which is more than their own errors
+// give. Two hoppers of 22 +- 1.6 and 22 +- 1.2 do not scatter: the mean has hypot(1.6, 1.2)/2 = 1.
+TEST(Hopper, RateIsOverThatOfFlatBottomsOfItsWidth) {
+  const auto factors = hopper_factors({{5, 90, 10, 0.1},
+                                       {6, 30, 9, 0.1},
+                                       {5, 30, 22, 1.6},
+                                       {5, 90, 12, 0.1},
+                                       {5, 60, 11, 0.5},
+                                       {5, 30, 22, 1.2}});
+  ASSERT_EQ(factors.size(), 2U);
+  EXPECT_EQ(factors[0].width, 5);
+  EXPECT_EQ(factors[0].half_angle, 30);
+  EXPECT_EQ(factors[0].runs, 2U);
+  EXPECT_NEAR(factors[0].factor, 2, 1e-12);
+  EXPECT_NEAR(factors[0].factor_error, 2 * std::hypot(1. / 22, 1. / 11), 1e-12);
+  EXPECT_EQ(factors[1].half_angle, 60);
+  EXPECT_EQ(factors[1].runs, 1U);
+  EXPECT_NEAR(factors[1].factor, 1, 1e-12);
+  EXPECT_NEAR(factors[1].factor_error, std::hypot(0.5 / 11, 1. / 11), 1e-12);
+}
+
 // Four runs of exact rates through the command: the numbers, the table and the figures.
 TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
   const auto folder = fresh_folder();
@@ -313,6 +345,40 @@ TEST(DischargeCommand, TakesTheLawOfSpaceForASceneInSpace) {
   const auto mixed = test::run_rodpack("discharge" + runs, folder);
   EXPECT_EQ(mixed.exit_code, 1);
   EXPECT_THAT(mixed.output, HasSubstr("7: expected a scene in a plane as that of 5"));
+}
+
+// Hoppers of 30 degrees flow twice as fast as the flat bottoms in these files: each has a law of
+// its own, and their rates are compared width by width.
+TEST(DischargeCommand, ComparesHoppersWithFlatBottoms) {
+  const auto folder = fresh_folder();
+  for (const char* name : {"flat", "hopper"}) std::filesystem::create_directory(folder / name);
+  write_runs(folder / "flat", 0.06, 2.5, ", \"vertical_axis\": \"z\"");
+  write_runs(folder / "hopper", 0.12, 2.5, ", \"vertical_axis\": \"z\", \"half_angle_deg\": 30");
+  const auto said =
+      test::run_rodpack("discharge flat/5 flat/7 flat/9 hopper/7 hopper/9 hopper/12", folder);
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.output, HasSubstr("hopper/7: D = 7 d_p, half angle 30 deg, flowing"));
+  EXPECT_THAT(said.output,
+              HasSubstr("flat bottom: Q sqrt(d_p/g) = C (D/d_p - k)^(5/2): C = 0.06 "));
+  EXPECT_THAT(said.output,
+              HasSubstr("half angle 30 deg: Q sqrt(d_p/g) = C (D/d_p - k)^(5/2): C = 0.12 "));
+  EXPECT_THAT(said.output, HasSubstr("D = 7 d_p, half angle 30 deg: 2 +- "));
+  EXPECT_THAT(said.output, HasSubstr("of the rate above a flat bottom; Rose and Tanaka 1.212\n"));
+  EXPECT_THAT(said.output, HasSubstr("outflow.csv .png .svg, outflow_hopper.csv .png .svg\n"));
+  const auto table = test::read_table(folder / "outflow_hopper.csv");
+  ASSERT_EQ(table.rows(), 2U);  // widths with a flat bottom
+  EXPECT_EQ(table.column("orifice_width_over_dp")[1], 9);
+  EXPECT_NEAR(table.column("rate_over_flat_bottom")[1], 2, 1e-6);
+  EXPECT_THAT(test::text_of(folder / "outflow.csv"), HasSubstr("\nhopper/9,9,30,"));
+  for (const char* file : {"outflow_hopper.png", "outflow_hopper.svg", "outflow.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+  put(folder / "flat/5/parameters.json",
+      "{\"orifice_width_m\": 5e-3, \"particle_diameter_m\": 1e-3, \"gravity_m_s2\": 10, "
+      "\"half_angle_deg\": 95}");
+  const auto refused = test::run_rodpack("discharge flat/5", folder);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("key 'half_angle_deg': expected a number above 0, at most "
+                                        "90, found 95"));
 }
 
 }  // namespace

@@ -141,18 +141,21 @@ void write_mixture_table(const Mixture& mixture, const std::vector<SpeciesMeasur
   };
   for (std::size_t kind = 0; kind < mixture.species.size(); ++kind) {
     const auto& species = mixture.species[kind];
-    const auto& measure = measures[kind];
     std::vector<std::string> row{species.name,
                                  std::to_string(species.type),
                                  std::to_string(species.number),
                                  number_text(species.diameter),
                                  number_text(species.aspect_ratio),
-                                 number_text(species.curvature / degree),
-                                 number_text(measure.number_share),
-                                 number_text(measure.solid_share),
-                                 known(measure.order),
-                                 known(measure.order_error),
-                                 known(measure.director)};
+                                 number_text(species.curvature / degree)};
+    if (measures.empty()) {
+      row.resize(row.size() + 5);
+    } else {
+      const auto& measure = measures[kind];
+      for (const auto& each :
+           {std::optional(measure.number_share), std::optional(measure.solid_share), measure.order,
+            measure.order_error, measure.director})
+        row.push_back(known(each));
+    }
     if (!coordination.empty())
       for (const double each : coordination[kind]) row.push_back(number_text(each));
     text += csv_line(row) + "\n";

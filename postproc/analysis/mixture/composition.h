@@ -38,7 +38,8 @@ std::vector<std::vector<double>> coordination_by_species(const Frame& contacts, 
 
 /// Writes a CSV table, a row per kind: species, type, particles, diameter_m, aspect_ratio,
 /// curvature_deg, number_share, solid_share, nematic_order_S2, its standard error, director_deg
-/// and, if there is a `coordination`, touching_B for every kind B. What is not known is empty.
+/// and, if there is a `coordination`, touching_B for every kind B. What is not known is empty, as
+/// are the shares and S2 without `measures`.
 void write_mixture_table(const Mixture& mixture, const std::vector<SpeciesMeasures>& measures,
                          const std::vector<std::vector<double>>& coordination,
                          const std::string& file);

@@ -51,18 +51,10 @@ class StockBodies {
   }
 
   Frame result() {
-    const auto& body = spheres_.column(body_column(spheres_));
-    const auto& id = spheres_.column("id");
+    const auto body = bodies_of_spheres(spheres_);
     std::map<double, Rows> rows_of;
-    Rows singles;
-    for (std::size_t row = 0; row < spheres_.rows; ++row)
-      if (body[row] > 0)
-        rows_of[body[row]].push_back(row);
-      else
-        singles.push_back(row);
+    for (std::size_t row = 0; row < spheres_.rows; ++row) rows_of[body[row]].push_back(row);
     for (const auto& [key, rows] : rows_of) add(key, rows);
-    const double largest = rows_of.empty() ? 0 : rows_of.rbegin()->first;
-    for (const auto row : singles) add(largest + id[row], {row});
     return bodies_;
   }
 
@@ -187,6 +179,16 @@ class StockBodies {
 
 }  // namespace
 
+std::vector<double> bodies_of_spheres(const Frame& spheres) {
+  auto body = spheres.column(body_column(spheres));
+  const auto& id = spheres.column("id");
+  double largest = 0;
+  for (const double each : body) largest = std::max(largest, each);
+  for (std::size_t row = 0; row < spheres.rows; ++row)
+    if (!(body[row] > 0)) body[row] = largest + id[row];
+  return body;
+}
+
 Frame as_bodies(const Frame& frame) {
   if (frame.has("nspheres") || frame.has("half_length")) return frame;
   if (frame.has("body_i") || frame.has("body") || !frame.has("x"))
@@ -208,8 +210,11 @@ Frame as_bodies(const Frame& frame) {
 
 void require_contact_dump(const Frame& frame) {
   if (frame.has("body_i")) return;
-  throw DataError(header_of(frame) + "expected a dump of contacts, found one without 'body_i'; " +
-                  "'dump contacts all contact/gran 10000 contacts.*.dump' in the deck writes them");
+  throw DataError(
+      header_of(frame) + "expected a dump of contacts, found one without 'body_i'; " +
+      "'dump contacts all contact/gran 10000 contacts.*.dump' in the deck writes them; " +
+      "those of LIGGGHTS's own 'compute pair/gran/local' are read by 'rodpack forces "
+      "--local'");
 }
 
 }  // namespace rodpack

@@ -2,6 +2,8 @@
 #ifndef RODPACK_ANALYSIS_STOCK_STOCK_DUMPS_H
 #define RODPACK_ANALYSIS_STOCK_STOCK_DUMPS_H
 
+#include <vector>
+
 #include "reading/dump.h"
 
 namespace rodpack {
@@ -16,6 +18,9 @@ namespace rodpack {
 ///   the body where its spheres differ in radius, lie on no straight line at even distances, or are
 ///   some of the body's alone.
 Frame as_bodies(const Frame& frame);
+
+/// The body of each sphere of such a stock dump, one per row, by the ids of as_bodies().
+std::vector<double> bodies_of_spheres(const Frame& spheres);
 
 /// Refuses what is no dump of contacts: LIGGGHTS's `dump local` names its columns after the deck's
 /// compute, not after what they hold. @throws DataError with the line to add to the deck.

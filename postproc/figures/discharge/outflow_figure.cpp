@@ -5,6 +5,16 @@
 #include "reading/number_text.h"
 
 namespace rodpack {
+namespace {
+
+// Okabe and Ito's, in the order of the series; beyond six they begin again.
+std::string series_colour(std::size_t series) {
+  const char* colours[] = {colour::blue, colour::vermilion, "#009E73",
+                           "#CC79A7",    "#E69F00",         "#56B4E9"};
+  return colours[series % 6];
+}
+
+}  // namespace
 
 void plot_outflow(const OutflowHistory& history, const Outflow& outflow, const std::string& stem) {
   std::string rate;
@@ -25,22 +35,33 @@ void plot_outflow(const OutflowHistory& history, const Outflow& outflow, const s
                   colour::blue + "' title 'counted'" + rate + '\n');
 }
 
-void plot_beverloo(const std::vector<double>& width, const std::vector<double>& rate,
-                   const std::vector<double>& rate_error, const std::vector<double>& clogged,
-                   const std::optional<BeverlooFit>& fit, const std::string& stem) {
+void plot_beverloo(const std::vector<WidthSeries>& series, const std::string& stem) {
   std::string blocks, plots;
   const auto add = [&](const std::string& plot) {
     plots += (plots.empty() ? "plot " : ", ") + plot;
   };
-  if (fit)
+  const bool one = series.size() == 1;
+  bool titled = false;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const auto& fit = series[k].fit;
+    if (!fit) continue;
     add("(x > " + number_text(fit->k) + " ? " + number_text(fit->c) + "*(x-(" +
         number_text(fit->k) + "))**" + number_text(fit->law) +
-        " : NaN) with lines linewidth 1.4 linecolor '" + colour::vermilion +
-        "' title 'Beverloo, exponent " + number_text(2 * fit->law) + "/2'");
-  if (!width.empty()) {
-    blocks += datablock("q", {width, rate, rate_error});
-    add("$q using 1:2:3 with yerrorbars pointtype 7 pointsize 1.2 linewidth 1.4 linecolor '" +
-        std::string(colour::blue) + "' title 'runs'");
+        " : NaN) with lines linewidth 1.4 linecolor '" +
+        (one ? colour::vermilion : series_colour(k)) + "' " +
+        (!titled ? "title 'Beverloo, exponent " + number_text(2 * fit->law) + "/2'" : "notitle"));
+    titled = true;
+  }
+  std::vector<double> clogged;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const auto& each = series[k];
+    clogged.insert(clogged.end(), each.clogged.begin(), each.clogged.end());
+    if (each.width.empty()) continue;
+    const auto name = "q" + std::to_string(k);
+    blocks += datablock(name, {each.width, each.rate, each.error});
+    add("$" + name + " using 1:2:3 with yerrorbars pointtype " + std::to_string(7 + 2 * (k % 4)) +
+        " pointsize 1.2 linewidth 1.4 linecolor '" + series_colour(k) + "' title '" +
+        (one ? "runs" : each.name) + "'");
   }
   if (!clogged.empty()) {
     blocks += datablock("c", {clogged, std::vector<double>(clogged.size(), 0.0)});

@@ -15,11 +15,17 @@ namespace rodpack {
 /// `stem`.png and .svg.
 void plot_outflow(const OutflowHistory& history, const Outflow& outflow, const std::string& stem);
 
+/// Runs of one half angle of the hopper, and their law.
+struct WidthSeries {
+  std::string name;                        // of the symbols, where there are several series
+  std::vector<double> width, rate, error;  // D / d_p, Q sqrt(d_p / g) and its standard error
+  std::vector<double> clogged;             // widths of runs that clogged
+  std::optional<BeverlooFit> fit;
+};
+
 /// Draws Q sqrt(d_p / g) with standard errors over D / d_p, and the law where there is one, into
-/// `stem`.png and .svg. `clogged`: widths of runs that clogged, marked at Q = 0.
-void plot_beverloo(const std::vector<double>& width, const std::vector<double>& rate,
-                   const std::vector<double>& rate_error, const std::vector<double>& clogged,
-                   const std::optional<BeverlooFit>& fit, const std::string& stem);
+/// `stem`.png and .svg. Runs that clogged are marked at Q = 0.
+void plot_beverloo(const std::vector<WidthSeries>& series, const std::string& stem);
 
 }  // namespace rodpack
 

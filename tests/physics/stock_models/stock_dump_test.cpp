@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <map>
+#include <utility>
 
+#include "analysis/stock/local_contacts.h"
 #include "analysis/stock/stock_dumps.h"
 #include "deck.h"
 #include "liggghts_run.h"
@@ -44,6 +48,141 @@ write_dump all custom stock.dump id type x y z radius id_multisphere
     const double turned = stock.column("angle")[k] - ours.column("angle")[k];
     EXPECT_NEAR(std::remainder(turned, M_PI), 0, 1e-3) << k;
   }
+}
+
+const std::string words = "pos id force delta";
+
+/// Twelve rods of three spheres, of LIGGGHTS's own multisphere and contact law, that have fallen
+/// onto two triangles, x periodic, and three single spheres among them; its own dumps of their
+/// contacts beside ours, of one step.
+std::filesystem::path stock_heap() {
+  const auto folder = fresh_folder();
+  std::ofstream(folder / "floor.stl")
+      << "solid floor\nfacet normal 0 1 0\nouter loop\nvertex 0 0 -0.008\nvertex 0.04 0 0.008\n"
+         "vertex 0.04 0 -0.008\nendloop\nendfacet\nfacet normal 0 1 0\nouter loop\nvertex 0 0 "
+         "-0.008\nvertex 0 0 0.008\nvertex 0.04 0 0.008\nendloop\nendfacet\nendsolid floor\n";
+  const auto run = run_liggghts_in(folder, Deck()
+                                               .hertz()
+                                               .models("model hertz tangential history")
+                                               .box("0 0.04 -0.002 0.05 -0.02 0.02")
+                                               .boundary("p f f")
+                                               .skin("0.0015")
+                                               .timestep("2e-5")
+                                               .with(
+                                                   R"(
+fix rod all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 ntry 100000 spheres -0.002 0 0 0.0015 0 0 0 0.0015 0.002 0 0 0.0015 type 1
+fix mix all particledistribution/discrete 15485867 1 rod 1.0
+fix lines all insert/line 3 template rod 1 per_line 4 x 0 0.04 y 0.02 z 0 total 12 interval 0.04 velocity -0.2 0.2
+fix motion all multisphere
+fix g all gravity 9.81 vector 0 -1 0
+fix stl all mesh/surface file floor.stl type 1
+fix floor all wall/gran model hertz tangential history mesh n_meshes 1 meshes stl
+compute pairs all pair/gran/local )" + words + R"(
+compute walls all wall/gran/local )" + words + R"(
+dump pairs all local 10000 pairs.dump c_pairs[1] c_pairs[2] c_pairs[3] c_pairs[4] c_pairs[5] c_pairs[6] c_pairs[7] c_pairs[8] c_pairs[9] c_pairs[10] c_pairs[11] c_pairs[12] c_pairs[13]
+dump walls all local 10000 walls.dump c_walls[1] c_walls[2] c_walls[3] c_walls[4] c_walls[5] c_walls[6] c_walls[7] c_walls[8] c_walls[9] c_walls[10] c_walls[11] c_walls[12] c_walls[13]
+dump spheres all custom 10000 spheres.dump id type x y z radius id_multisphere
+dump bodies all multisphere/body 10000 bodies.dump
+dump contacts all contact/gran 10000 contacts.dump
+run 10000
+)"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  return folder;
+}
+
+struct ForceParts {
+  double normal = 0;
+  Vector3 tangential{};
+};
+
+ForceParts parts(const Frame& contacts, std::size_t row, double sign) {
+  const char* const f[] = {"fx", "fy", "fz"};
+  const char* const n[] = {"nx", "ny", "nz"};
+  ForceParts result;
+  for (int c = 0; c < 3; ++c)
+    result.normal += contacts.column(f[c])[row] * contacts.column(n[c])[row];
+  for (std::size_t c = 0; c < 3; ++c)
+    result.tangential[c] =
+        sign * (contacts.column(f[c])[row] - result.normal * contacts.column(n[c])[row]);
+  return result;
+}
+
+// Each contact of ours is one of the stock dumps and the other way round, whichever sphere they
+// name first; LIGGGHTS prints six digits. Its compute evaluates the forces anew after the step,
+// with later velocities. Where a contact slides, the spring is at the cap by then, not above, and
+// the dashpot's force is added whole: such tangential forces are not those that acted, by up to
+// twenty times here.
+TEST(StockDump, LocalContactsOfARunAreThoseOfItsOwnDump) {
+  const auto folder = stock_heap();
+  const auto frame = [&](const char* name) { return last_frame({(folder / name).string()}); };
+  const auto ours = frame("contacts.dump"), spheres = frame("spheres.dump");
+  const std::vector<std::string> given{"pos", "id", "force", "delta"};
+  auto stock = contacts_of_local_dump(frame("pairs.dump"), given, spheres);
+  const auto between_particles = stock.rows;
+  EXPECT_GE(between_particles, 3U);
+  add_contacts_of_wall_dump(frame("walls.dump"), given, spheres, stock);
+  EXPECT_GE(stock.rows, between_particles + 3);
+  ASSERT_EQ(stock.rows, ours.rows);
+  std::map<std::pair<double, double>, std::size_t> row_of;
+  for (std::size_t row = 0; row < stock.rows; ++row)
+    row_of[{stock.column("sphere_i")[row], stock.column("sphere_j")[row]}] = row;
+  double mean_force = 0;
+  for (std::size_t k = 0; k < ours.rows; ++k)
+    mean_force += parts(ours, k, 1).normal / static_cast<double>(ours.rows);
+  int sticking = 0;
+  for (std::size_t k = 0; k < ours.rows; ++k) {
+    const double i = ours.column("sphere_i")[k], j = ours.column("sphere_j")[k];
+    const bool same_way = row_of.count({i, j}) > 0;
+    ASSERT_TRUE(same_way || row_of.count({j, i})) << i << ' ' << j;
+    const auto row = same_way ? row_of[{i, j}] : row_of[{j, i}];
+    const double sign = same_way ? 1 : -1;
+    const auto near = [&](const std::string& mine, const std::string& theirs, double factor,
+                          double slack) {
+      EXPECT_NEAR(factor * stock.column(theirs)[row], ours.column(mine)[k], slack) << mine << k;
+    };
+    near("body_i", same_way ? "body_i" : "body_j", 1, 0);
+    near("body_j", same_way ? "body_j" : "body_i", 1, 0);
+    near("wall", "wall", 1, 0);
+    near("overlap_n", "overlap_n", 1, 1e-6);
+    const auto own = parts(ours, k, 1), other = parts(stock, row, sign);
+    EXPECT_NEAR(other.normal, own.normal, 5e-3 * mean_force) << k;
+    const bool sticks = std::hypot(own.tangential[0], own.tangential[1], own.tangential[2]) <
+                        0.9 * 0.3 * own.normal;
+    sticking += sticks;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::string axis(1, "xyz"[c]);
+      near("n" + axis, "n" + axis, sign, 2e-4);
+      EXPECT_NEAR(std::remainder(stock.column(axis)[row] - ours.column(axis)[k], 0.04), 0, 3e-6);
+      if (sticks) {
+        EXPECT_NEAR(other.tangential[c], own.tangential[c], 5e-3 * mean_force) << k;
+      }
+      if (ours.column("wall")[k] != 0) continue;
+      // The way between the centres of mass; LIGGGHTS takes those of bodies from random points.
+      const auto branch = [&](const Frame& contacts, std::size_t at) {
+        return contacts.column("bi" + axis)[at] - contacts.column("bj" + axis)[at];
+      };
+      EXPECT_NEAR(sign * branch(stock, row), branch(ours, k), 4e-5) << k;
+    }
+  }
+  EXPECT_GE(sticking, 6);
+}
+
+// What rodpack makes of either dump: the same contacts, and the same means to what the forces
+// differ.
+TEST(StockDump, ForcesOfLocalContactsAreThoseOfOurDump) {
+  const auto folder = stock_heap();
+  const auto ours =
+      run_rodpack("forces contacts.dump --bodies bodies.dump --walls-too -o ours", folder);
+  ASSERT_EQ(ours.exit_code, 0) << ours.output;
+  const auto stock =
+      run_rodpack("forces pairs.dump --local " + words +
+                      " --local-walls walls.dump --bodies spheres.dump --walls-too -o stock",
+                  folder);
+  ASSERT_EQ(stock.exit_code, 0) << stock.output;
+  EXPECT_EQ(text_of(folder / "stock_coordination.csv"), text_of(folder / "ours_coordination.csv"));
+  const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
+  EXPECT_EQ(first_line(stock.output), first_line(ours.output));  // how many of which
+  EXPECT_NE(stock.output.find("evaluates forces anew"), std::string::npos) << stock.output;
 }
 
 }  // namespace

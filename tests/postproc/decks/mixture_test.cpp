@@ -23,6 +23,7 @@ using rodpack::test::fresh_folder;
 using rodpack::test::put;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 // A body of the dump: what tells its kind, and where it lies.
@@ -287,6 +288,56 @@ TEST_F(AnalyseMixture, IsAnalysedByKindAsWellAsTogether) {
   EXPECT_FALSE(found.contains("mixture"));
   EXPECT_FALSE(fs::exists(folder_ / "mine/analysis/mixture.csv"));
   EXPECT_FALSE(fs::exists(folder_ / "mine/analysis/rdf_partial.png"));
+}
+
+// What analyse writes of a mixture the subcommands write too: the same tables, through the same
+// code.
+TEST_F(AnalyseMixture, IsMeasuredByKindByTheSubcommandsToo) {
+  const TwoKinds scene;
+  put(folder_ / "mine/bodies.7.dump", bodies_text(scene.bodies));
+  analysed("");
+  const auto run = [&](const std::string& arguments) {
+    const auto result = rodpack::test::run_rodpack(arguments, folder_);
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+    return result.output;
+  };
+  const auto text = [&](const fs::path& file) { return rodpack::test::text_of(folder_ / file); };
+  auto said = run("orientation mine/bodies.7.dump -o gamma");
+  EXPECT_THAT(said, HasSubstr("by kind, last frame:\n  rods-type1: 40 particles, "));
+  EXPECT_THAT(said, HasSubstr("\n  rods-type2: 20 particles, "));
+  EXPECT_THAT(said, HasSubstr(", gamma_mixture.csv\n"));
+  EXPECT_EQ(text("gamma_mixture.csv"), text("mine/analysis/mixture.csv"));
+
+  said = run("rdf mine/bodies.7.dump -o g");
+  EXPECT_THAT(said, HasSubstr(", g_partial.csv .png .svg\n"));
+  EXPECT_EQ(text("g_partial.csv"), text("mine/analysis/rdf_partial.csv"));
+  EXPECT_TRUE(fs::exists(folder_ / "g_partial.png"));
+
+  // An upright one of the other type between two flat ones, which it touches.
+  std::vector<Body> stack(3);
+  stack[1].type = 2;
+  stack[1].angle = std::acos(0.0);
+  stack[1].y = 0.109;
+  stack[2].y = 0.118;
+  put(folder_ / "bodies.7.dump", bodies_text(stack));
+  put(folder_ / "contacts.7.dump",
+      frame_head(7, 2, 0.3, 0.3,
+                 "body_i body_j sphere_i sphere_j wall x y z fx fy fz bix biy biz bjx bjy bjz "
+                 "overlap_n overlap_t nx ny nz") +
+          "1 2 5 10 0 0.1 0.1015 0 0 -1e-3 0 0.1 0.1 0 0.1 0.109 0 1e-6 0 0 -1 0\n"
+          "2 3 18 23 0 0.1 0.1165 0 0 -1e-3 0 0.1 0.109 0 0.1 0.118 0 1e-6 0 0 -1 0\n");
+  said = run("forces contacts.7.dump --bodies bodies.7.dump -o f");
+  EXPECT_THAT(said, HasSubstr("rods-type1: 2 particles, one touches 0 rods-type1, 1 rods-type2\n"));
+  EXPECT_THAT(said, HasSubstr("rods-type2: 1 particles, one touches 2 rods-type1, 0 rods-type2\n"));
+  EXPECT_THAT(text("f_mixture.csv"), HasSubstr("rods-type2,2,1,0.003,5,0,,,,,,2,0\n"));
+  EXPECT_THAT(run("forces contacts.7.dump -o alone"), Not(HasSubstr("by kind")));
+
+  // One kind has no such table.
+  auto alike = scene.bodies;
+  for (auto& body : alike) body.type = 1;
+  put(folder_ / "mine/bodies.7.dump", bodies_text(alike));
+  EXPECT_THAT(run("orientation mine/bodies.7.dump -o one"), Not(HasSubstr("by kind")));
+  EXPECT_FALSE(fs::exists(folder_ / "one_mixture.csv"));
 }
 
 // Their gamma have different ranges, so that only each kind has one.

@@ -9,6 +9,7 @@
 
 #include "../synthetic_packing.h"
 #include "analysis/pairs/pair_configuration.h"
+#include "analysis/stock/local_contacts.h"
 #include "analysis/stock/stock_dumps.h"
 #include "liggghts_run.h"
 #include "reading/checks/body_axes.h"
@@ -131,6 +132,118 @@ TEST(StockDumps, AnotherDumpNamesTheLineThatTheDeckNeeds) {
                     HasSubstr("'dump contacts all contact/gran 10000 contacts.*.dump' in the "
                               "deck writes them")));
   EXPECT_THAT(error("solid-fraction local.dump"), HasSubstr(bodies));
+}
+
+// Two rods of two spheres, x periodic with 1 m, and a single sphere: rod 1 with sphere 2 (at 0.98)
+// and rod 4 with sphere 3 (at 0.005) touch across the border, 0.001 deep in each other; rod 4 and
+// the single sphere 5 are 0.002 deep. Bodies 1 and 4 come first, so the single one is 4 + 5 = 9.
+TEST(LocalContacts, FollowTheWordsOfTheCompute) {
+  const auto spheres = Spheres()
+                           .add(1, 0.96, 0.5, 0.5, 0.013)
+                           .add(1, 0.98, 0.5, 0.5, 0.013)
+                           .add(4, 0.005, 0.5, 0.5, 0.013)
+                           .add(4, 0.025, 0.5, 0.5, 0.013)
+                           .add(0, 0.025, 0.524, 0.5, 0.013)
+                           .frame();
+  const auto folder = fresh_folder();
+  const auto local = [&](int columns, const std::string& rows) {
+    std::string names;
+    for (int c = 1; c <= columns; ++c) names += " c_p[" + std::to_string(c) + "]";
+    return last_frame({put(folder / "p.dump",
+                           "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n2\nITEM: BOX "
+                           "BOUNDS pp ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES" +
+                               names + "\n" + rows)});
+  };
+  // The order of the words is none of LIGGGHTS's; of the history it is the rest that counts.
+  const std::vector<std::string> words{"delta", "force", "history", "id"};
+  const auto pairs = local(9, "2 3 1 5 6 7 0.1 0.2 0.001\n5 4 0 0 8 1 0.1 0.2 0.002\n");
+  const auto contacts = contacts_of_local_dump(pairs, words, spheres);
+  ASSERT_EQ(contacts.rows, 2U);
+  const auto row = [&](std::size_t k) {
+    std::vector<double> values;
+    for (const char* name : {"body_i", "body_j", "sphere_i", "sphere_j", "wall", "x", "y", "fx",
+                             "bix", "biy", "bjx", "overlap_n", "nx", "ny", "nz"})
+      values.push_back(contacts.column(name)[k]);
+    return values;
+  };
+  // Contact point: x_j + r - overlap/2 towards i, at 1.005 - 0.0125; centre of rod 4 across the
+  // border.
+  const auto near = [](const std::vector<double>& values) {
+    std::vector<testing::Matcher<double>> all;
+    for (const double each : values) all.push_back(testing::DoubleNear(each, 1e-9));
+    return testing::ElementsAreArray(all);
+  };
+  EXPECT_THAT(row(0), near({1, 4, 2, 3, 0, 0.9925, 0.5, 5, 0.97, 0.5, 1.015, 0.001, -1, 0, 0}));
+  EXPECT_THAT(row(1), near({9, 4, 5, 4, 0, 0.025, 0.512, 0, 0.025, 0.524, 0.015, 0.002, 0, 1, 0}));
+  const auto refusal = [&](const Frame& frame,
+                           const std::vector<std::string>& given) -> std::string {
+    try {
+      contacts_of_local_dump(frame, given, spheres);
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(pairs, {"id", "pos"}), HasSubstr("expected 'force' among them"));
+  EXPECT_THAT(refusal(pairs, {"id", "force", "forces"}), HasSubstr("found 'forces'"));
+  EXPECT_THAT(refusal(pairs, {"id", "force"}),
+              HasSubstr("p.dump:9: expected 6 columns of the words of the compute, found 9"));
+  EXPECT_THAT(refusal(pairs, {"pos", "vel", "id", "force", "history"}),
+              HasSubstr("expected 18 columns and those of the history"));
+  EXPECT_THAT(refusal(local(6, "2 8 1 5 6 7\n5 4 0 0 8 1\n"), {"id", "force"}),
+              HasSubstr("no sphere 8, which has a contact in "));
+  EXPECT_THAT(refusal(local(12, "0.98 0.5 0.5 0.5 0.5 0.5 2 3 1 5 6 7\n0 0 0 0 0 0 5 4 0 0 8 1\n"),
+                      {"pos", "id", "force"}),
+              HasSubstr("sphere 3: expected at 0.005 0.5 0.5 m"));
+}
+
+// A wall's contact lists wall, triangle and sphere; its normal points from the contact point to the
+// sphere's centre, 0.0125 away, so that the overlap is 0.0005.
+TEST(LocalContacts, OfWallsPointToTheSphere) {
+  const auto spheres = Spheres().add(1, 0.3, 0.5, 0.5, 0.013).add(1, 0.32, 0.5, 0.5, 0.013).frame();
+  const auto folder = fresh_folder();
+  const auto frame = [&](const std::string& rows, int count) {
+    return last_frame({put(folder / "w.dump",
+                           "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n" + std::to_string(count) +
+                               "\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
+                               "ITEM: ENTRIES c_w[1] c_w[2] c_w[3] c_w[4] c_w[5] c_w[6] c_w[7] "
+                               "c_w[8] c_w[9] c_w[10] c_w[11] c_w[12]\n" +
+                               rows)});
+  };
+  const std::vector<std::string> words{"pos", "id", "force"};
+  const auto none = frame("", 0);
+  auto contacts = contacts_of_local_dump(none, words, spheres);
+  EXPECT_EQ(contacts.rows, 0U);
+  add_contacts_of_wall_dump(frame("0.3 0.4875 0.5 0.3 0.5 0.5 0 3 1 7 8 9\n", 1), words, spheres,
+                            contacts);
+  ASSERT_EQ(contacts.rows, 1U);
+  const std::pair<const char*, double> expected[] = {
+      {"body_i", 1}, {"body_j", 0}, {"sphere_i", 1},       {"wall", 1},   {"y", 0.48725},
+      {"fy", 8},     {"ny", 1},     {"overlap_n", 0.0005}, {"bix", 0.31}, {"bjy", 0.48725}};
+  for (const auto& [name, value] : expected)
+    EXPECT_NEAR(contacts.column(name)[0], value, 1e-9) << name;
+  EXPECT_THROW(add_contacts_of_wall_dump(none, {"id", "force"}, spheres, contacts), DataError);
+}
+
+TEST(LocalContacts, NeedTheDumpOfSpheres) {
+  const auto folder = fresh_folder();
+  put(folder / "p.dump",
+      "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
+      "ITEM: ENTRIES c_p[1] c_p[2] c_p[3] c_p[4] c_p[5] c_p[6]\n1 2 0 1 0 0\n");
+  put(folder / "b.dump",
+      "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
+      "ITEM: ENTRIES id nspheres x y z\n1 2 0.5 0.5 0.5\n");
+  const auto run =
+      rodpack::test::run_rodpack("forces p.dump --local id force --bodies b.dump", folder);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output,
+              HasSubstr("b.dump:9: expected a dump of spheres that tells their bodies"));
+  EXPECT_THAT(run.output,
+              HasSubstr("custom 10000 spheres.*.dump id type x y z radius id_multisphere"));
+  EXPECT_EQ(rodpack::test::run_rodpack("forces p.dump --local id force", folder).exit_code, 2);
+  EXPECT_EQ(rodpack::test::run_rodpack("forces p.dump --bodies b.dump --local id fource", folder)
+                .exit_code,
+            2);
 }
 
 }  // namespace
