@@ -19,9 +19,14 @@ Frame of_kind(const Frame& frame, const std::string& kind) {
 
 }  // namespace
 
+const Frame& Input::last() const {
+  if (!last_) last_ = of_kind(last_frame(find_dumps(patterns)), kind);
+  return *last_;
+}
+
 void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
+  if (!all_frames) return visit(last());
   const auto files = find_dumps(patterns);
-  if (!all_frames) return visit(of_kind(last_frame(files), kind));
   FramePool pool;
   bool any = false;
   for_each_frame(files, [&](const Frame& read) {
@@ -35,8 +40,7 @@ void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
 }
 
 bool Input::is_in_space() const {
-  const auto frame = of_kind(last_frame(find_dumps(patterns)), kind);
-  const bool result = rodpack::is_in_space(frame, packing, space);
+  const bool result = rodpack::is_in_space(last(), packing, space);
   const auto refuse = [](const std::string& option, const std::string& scene) {
     throw CLI::ValidationError(option, "expected in a scene " + scene + " alone");
   };

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,11 @@ struct Input {
   PackingOptions packing;
   SpaceOptions space;
 
-  /// Calls `visit` with the last frame, or with every frame that FramePool takes if the user asks
-  /// for all. Stock dumps are read as bodies where they carry enough. @throws DataError when it
-  /// takes none, as as_bodies() and require_contact_dump().
+  /// The last frame. Stock dumps are read as bodies where they carry enough. @throws DataError as
+  /// as_bodies() and require_contact_dump().
+  const Frame& last() const;
+  /// Calls `visit` with it, or with every frame that FramePool takes if the user asks
+  /// for all. @throws DataError as last(), and when it takes none.
   void for_frames(const std::function<void(const Frame&)>& visit) const;
   /// Whether the last frame shows a scene in space. @throws DataError as rodpack::is_in_space(),
   /// CLI::ValidationError for walls of the other kind of scene.
@@ -31,6 +34,9 @@ struct Input {
   /// What FramePool has passed over by now, as a line for the report; empty if nothing.
   std::string passed_over_line() const { return passed_over.empty() ? "" : passed_over + "\n"; }
   mutable std::string passed_over;
+
+ private:
+  mutable std::optional<Frame> last_;  // read once: a frame may take seconds
 };
 
 /// Adds the dump files of `kind` ("bodies") as arguments without a name.
