@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "cli/command_line.h"
+
 #include <iostream>
 
 #include "cli/commands.h"
 #include "rodpack/version.h"
 
+namespace rodpack::cli {
 namespace {
 
 // Names of files may hold line ends and worse.
@@ -15,8 +18,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  using namespace rodpack;
+int run_command_line(int argc, const char* const* argv) {
   constexpr int bad_data = 1;
   constexpr int bad_usage = 2;
 
@@ -30,22 +32,22 @@ int main(int argc, char** argv) {
       "  rodpack analyse results/quick\n"
       "Every subcommand explains itself:  rodpack rdf --help\n"
       "Exit codes: 0 done, 1 data that cannot be used, 2 wrong command line.");
-  cli::add_analyse(app);
-  cli::add_report(app);
-  cli::add_orientation(app);
-  cli::add_rdf(app);
-  cli::add_forces(app);
-  cli::add_render(app);
-  cli::add_stress(app);
-  cli::add_solid_fraction(app);
-  cli::add_profile(app);
-  cli::add_export(app);
-  cli::add_ensemble(app);
-  cli::add_compare(app);
-  cli::add_accuracy(app);
-  cli::add_timestep(app);
-  cli::add_discharge(app);
-  cli::add_incline(app);
+  add_analyse(app);
+  add_report(app);
+  add_orientation(app);
+  add_rdf(app);
+  add_forces(app);
+  add_render(app);
+  add_stress(app);
+  add_solid_fraction(app);
+  add_profile(app);
+  add_export(app);
+  add_ensemble(app);
+  add_compare(app);
+  add_accuracy(app);
+  add_timestep(app);
+  add_discharge(app);
+  add_incline(app);
 
   try {
     app.parse(argc, argv);
@@ -64,3 +66,5 @@ int main(int argc, char** argv) {
   }
   return 0;
 }
+
+}  // namespace rodpack::cli

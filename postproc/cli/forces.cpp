@@ -105,12 +105,10 @@ std::optional<std::size_t> vertical_in_space(const Input& input, const Frame& co
 void measure(const ForcesArguments& options) {
   const auto& input = options.input;
   auto packing = input.packing;
-  const auto files = find_dumps(input.patterns);
   std::vector<std::string> body_files;
   if (!options.bodies.empty()) body_files = find_dumps(options.bodies);
   auto settings = options.forces;
-  const auto friction =
-      find_friction(last_frame(files), input.packing.parameters, settings.friction);
+  const auto friction = find_friction(input.last(), input.packing.parameters, settings.friction);
   settings.friction = friction.coefficient;
   ContactForceSample sample(settings);
   Frame last;

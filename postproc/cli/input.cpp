@@ -19,16 +19,22 @@ Frame of_kind(const Frame& frame, const std::string& kind) {
 
 }  // namespace
 
+Frame Input::taken(const Frame& read) const {
+  return convert ? convert(read) : of_kind(read, kind);
+}
+
+const Frame& Input::last() const {
+  if (!last_) last_ = taken(last_frame(find_dumps(patterns)));
+  return *last_;
+}
+
 void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
+  if (!all_frames) return visit(last());
   const auto files = find_dumps(patterns);
-  const auto converted = [&](const Frame& read) {
-    return convert ? convert(read) : of_kind(read, kind);
-  };
-  if (!all_frames) return visit(converted(last_frame(files)));
   FramePool pool;
   bool any = false;
   for_each_frame(files, [&](const Frame& read) {
-    const auto frame = converted(read);
+    const auto frame = taken(read);
     if (!pool.take(frame)) return;
     any = true;
     visit(frame);
@@ -38,8 +44,7 @@ void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
 }
 
 bool Input::is_in_space() const {
-  const auto frame = of_kind(last_frame(find_dumps(patterns)), kind);
-  const bool result = rodpack::is_in_space(frame, packing, space);
+  const bool result = rodpack::is_in_space(last(), packing, space);
   const auto refuse = [](const std::string& option, const std::string& scene) {
     throw CLI::ValidationError(option, "expected in a scene " + scene + " alone");
   };

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,14 @@ struct Input {
   bool all_frames = false;
   PackingOptions packing;
   SpaceOptions space;
-  // Where a frame is not of the kind, what makes it one; none: what is told of for_frames().
+  // Where a frame is not of the kind, what makes it one; none: what is told of last().
   std::function<Frame(const Frame&)> convert;
 
-  /// Calls `visit` with the last frame, or with every frame that FramePool takes if the user asks
-  /// for all. Stock dumps are read as bodies where they carry enough. @throws DataError when it
-  /// takes none, as as_bodies() and require_contact_dump().
+  /// The last frame. Stock dumps are read as bodies where they carry enough. @throws DataError as
+  /// as_bodies() and require_contact_dump().
+  const Frame& last() const;
+  /// Calls `visit` with it, or with every frame that FramePool takes if the user asks
+  /// for all. @throws DataError as last(), and when it takes none.
   void for_frames(const std::function<void(const Frame&)>& visit) const;
   /// Whether the last frame shows a scene in space. @throws DataError as rodpack::is_in_space(),
   /// CLI::ValidationError for walls of the other kind of scene.
@@ -33,6 +36,10 @@ struct Input {
   /// What FramePool has passed over by now, as a line for the report; empty if nothing.
   std::string passed_over_line() const { return passed_over.empty() ? "" : passed_over + "\n"; }
   mutable std::string passed_over;
+
+ private:
+  Frame taken(const Frame& read) const;
+  mutable std::optional<Frame> last_;  // read once: a frame may take seconds
 };
 
 /// Adds the dump files of `kind` ("bodies") as arguments without a name.

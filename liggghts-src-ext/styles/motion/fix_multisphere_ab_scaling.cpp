@@ -27,7 +27,8 @@ void FixMultisphereAB::sum_contact_weights() {
     if (planar_) {
       const double height = ex_(body)[2] * arm[0] + ey_(body)[2] * arm[1] + ez_(body)[2] * arm[2];
       const double square = arm[0] * arm[0] + arm[1] * arm[1] + arm[2] * arm[2] - height * height;
-      weight = rodpack::planar_contact_weight(mass_(body), moment_about_z(body), radius).at(square);
+      weight = rodpack::contact_weight(
+          rodpack::planar_contact_weight(mass_(body), moment_about_z(body), radius), square);
     } else {
       const double inertia[3] = {inertia_(body)[0], inertia_(body)[1], inertia_(body)[2]};
       weight = rodpack::spatial_contact_weight(mass_(body), inertia, radius, arm);

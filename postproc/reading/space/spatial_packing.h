@@ -9,6 +9,7 @@
 
 #include "reading/checks/body_axes.h"
 #include "reading/packing.h"
+#include "rodpack/geometry/upright_container.h"
 
 namespace rodpack {
 
@@ -20,19 +21,13 @@ struct SpaceOptions {
   std::vector<double> cylinder;   // empty, or the two horizontal coordinates of its axis, radius, m
 };
 
-/// The container in space, a box or an upright cylinder. The top is open.
-struct SpatialWalls {
-  std::size_t vertical = 2;        // axis that points up, 0 to 2
-  Vector3 low{}, high{};           // of the box; along a periodic axis the ends of a period, m
+/// The container in space, whose top is open: the box, along a periodic axis from end to end of a
+/// period, and a cylinder within it if the side wall is round.
+struct SpatialWalls : UprightContainer {
   std::array<bool, 3> periodic{};  // an axis without walls
-  bool round = false;              // the side wall is a cylinder, within the box
-  double radius = 0;               // of the cylinder, m
-  std::array<double, 2> middle{};  // its axis along the axes horizontal(0) and horizontal(1), m
   std::string source;              // where the numbers come from, for reports
   std::vector<std::string> notes;  // what of the scene is no wall of the container, and why
 
-  /// The two horizontal axes, in the order x, y, z, x after the vertical one.
-  std::size_t horizontal(std::size_t which) const { return (vertical + 1 + which) % 3; }
   /// Distance to the nearest side wall, negative beyond it; infinite without one. m.
   double distance_to_sides(const Vector3& place) const;
   /// Height above the floor; infinite without one. m.

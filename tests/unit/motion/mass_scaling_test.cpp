@@ -63,8 +63,9 @@ struct Network {
     for (const int side : {0, 1}) {
       const double arm[3] = {radius * arms[at[side]], 0, 0};
       weights[side == 0 ? i : j] +=
-          spatial ? spatial_contact_weight(mass, inertia, radius, arm)
-                  : planar_contact_weight(mass, inertia[2], radius).at(arm[0] * arm[0]);
+          spatial
+              ? spatial_contact_weight(mass, inertia, radius, arm)
+              : contact_weight(planar_contact_weight(mass, inertia[2], radius), arm[0] * arm[0]);
     }
   }
   int pick() { return std::uniform_int_distribution<int>(0, 8)(random); }
@@ -109,8 +110,8 @@ TEST(MassScaling, NoMotionOfANetworkIsStifferThanItSays) {
 TEST(MassScaling, WeightsAreThoseOfTheirGeometry) {
   const double moment = 0.4 * mass * radius * radius;
   const ContactWeight sphere = planar_contact_weight(mass, moment, radius);
-  EXPECT_NEAR(sphere.at(0), 1 + 1 / 0.4, 1e-12);
-  EXPECT_NEAR(sphere.at(radius * radius), 1 + 2 / 0.4, 1e-12);
+  EXPECT_NEAR(contact_weight(sphere, 0), 1 + 1 / 0.4, 1e-12);
+  EXPECT_NEAR(contact_weight(sphere, radius * radius), 1 + 2 / 0.4, 1e-12);
   const double moments[3] = {moment, moment, moment}, arm[3] = {radius, 0, 0};
   EXPECT_NEAR(spatial_contact_weight(mass, moments, radius, arm), 1 + (1 + 2 + 2) / 0.4, 1e-12);
 }

@@ -33,11 +33,7 @@ OppositeCorners corners_of(const SpatialPacking& packing, double above) {
 
 UprightContainer counted_container(const SpatialPacking& packing, Normalisation normalisation) {
   const auto& walls = packing.walls;
-  UprightContainer container{walls.low, walls.high};
-  container.vertical = walls.vertical;
-  container.round = walls.round;
-  container.middle = walls.middle;
-  container.radius = walls.radius;
+  UprightContainer container = walls;
   container.high[walls.vertical] =
       normalisation == Normalisation::walls_and_surface ? packing.surface : no_wall;
   for (std::size_t axis = 0; axis < 3; ++axis)
