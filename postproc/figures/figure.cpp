@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "figures/figure.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <sstream>
 
 #include "reading/dump.h"
@@ -37,15 +36,15 @@ std::string reason_in(const std::string& said) {
   return reason.empty() ? "" : ": " + reason;
 }
 
-// In the folder of the figure, so that the script holds its name alone.
+// In the folder of the figure, so that the script holds its name alone. What gnuplot says goes to a
+// file without a name: one in a folder for all could be somebody else's.
 void run_gnuplot(const std::string& figure, const std::filesystem::path& folder,
                  const std::string& script) {
-  namespace fs = std::filesystem;
-  const auto log = fs::temp_directory_path() / ("rodpack-gnuplot-" + std::to_string(::getpid()));
-  const int status = run_program({"gnuplot"}, {script, folder.string(), log.string(), {}});
-  const std::string said = read_text(log.string());
-  std::error_code ignored;
-  fs::remove(log, ignored);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> log(std::tmpfile(), std::fclose);
+  if (!log) throw DataError("no temporary file for what gnuplot says");
+  const std::string name = "/proc/self/fd/" + std::to_string(::fileno(log.get()));
+  const int status = run_program({"gnuplot"}, {script, folder.string(), name, {}});
+  const std::string said = read_text(name);
   if (status == 127) throw DataError("gnuplot was not found: install gnuplot-nox");
   if (status != 0) throw DataError(figure + ": gnuplot failed to draw it" + reason_in(said));
   std::fputs(said.c_str(), stderr);  // warnings
