@@ -18,6 +18,10 @@ SLURM = LocalSlurm(Path(tempfile.mkdtemp(prefix="rodpack-slurm-")))
 
 
 class Cluster(StudyTest):
+    def environment(self):
+        # Snakemake asks for the states of jobs every ten seconds, with this every second.
+        return {**super().environment(), "CI": "true"}
+
     def test_a_drained_node_and_a_killed_job_change_no_number(self):
         # Beds that take seconds, with a restart file each fraction of one.
         table = SMALL.replace("particles: 30", "particles: 150").replace("0.1\n", "0.05\n")
