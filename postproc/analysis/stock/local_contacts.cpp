@@ -93,9 +93,9 @@ struct StockSphere {
   Vector3 place{}, centre{};  // of the sphere; of its body, in the image next to it
 };
 
-class StockSpheres {
+class SphereDump {
  public:
-  explicit StockSpheres(const Frame& frame) : frame_(frame) {
+  explicit SphereDump(const Frame& frame) : frame_(frame) {
     if (!frame.has("radius") || frame.has("nspheres"))
       throw DataError(place_of(frame) +
                       "expected a dump of spheres that tells their bodies, beside one of contacts "
@@ -194,7 +194,7 @@ std::vector<std::string> local_contact_words() {
 Frame contacts_of_local_dump(const Frame& pairs, const std::vector<std::string>& words,
                              const Frame& spheres) {
   const LocalColumns columns(pairs, words);
-  const StockSpheres all(spheres);
+  const SphereDump all(spheres);
   all.require_timestep_of(pairs);
   Frame contacts;
   contacts.file = pairs.file;
@@ -233,7 +233,7 @@ void add_contacts_of_wall_dump(const Frame& walls, const std::vector<std::string
                                const Frame& spheres, Frame& contacts) {
   const LocalColumns columns(walls, words);
   columns.require("pos");
-  const StockSpheres all(spheres);
+  const SphereDump all(spheres);
   all.require_timestep_of(walls);
   for (std::size_t row = 0; row < walls.rows; ++row) {
     const auto& i = all.of(walls, columns.value("id", 2, row));
