@@ -182,7 +182,7 @@ function(mend_contact_ends folder)
   mend(${folder} pair_gran_base.h "else if(rsq < contactDistanceMultiplier * radsum * radsum && "
     "else if((rsq < contactDistanceMultiplier * radsum * radsum || rodpack::wants_end(sidata.contact_flags)) && ")
   include_in(${folder} neigh_gran.cpp contact_ends.h)
-  mend(${folder} neigh_gran.cpp "if (rsq < radsum*radsum)" "if (rsq < radsum*radsum || rodpack::ends_are_followed())")
+  mend(${folder} neigh_gran.cpp "if (rsq < radsum*radsum)" "if (rsq < radsum*radsum || rodpack::ends_are_told())")
   include_in(${folder} fix_wall_gran.cpp contact_ends.h)
   mend(${folder} fix_wall_gran.cpp "    if(deltan <= 0 || deltan < contactDistanceMultiplier*radius[iPart])
 " "    if(deltan <= 0 || deltan < contactDistanceMultiplier*radius[iPart] ||

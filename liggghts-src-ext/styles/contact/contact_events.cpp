@@ -34,11 +34,9 @@ constexpr int torque_values = sizeof(ForceChange) / sizeof(double);
 
 ContactEvents* ContactEvents::armed_ = NULL;
 
-void ContactEvents::follow_ends(bool yes) {
+void ContactEvents::ask_for_ends() {
 #ifdef RODPACK_STAGED
-  rodpack::ends_are_followed() = yes;
-#else
-  static_cast<void>(yes);
+  rodpack::ends_are_told() = true;
 #endif
 }
 

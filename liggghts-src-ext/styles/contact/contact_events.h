@@ -24,14 +24,16 @@ class ContactEvents : protected Pointers {
   /// has no events: what its partner would gain, it would not lose.
   ContactEvents(class LAMMPS* lmp, const class FixMultisphere* bodies)
       : Pointers(lmp), bodies_(bodies) {
-    follow_ends(true);
+    ask_for_ends();
   }
-  ~ContactEvents() {
-    disarm();
-    follow_ends(false);
-  }
+  ~ContactEvents() { disarm(); }
 
   // ---- for the contact models
+
+  /// Asks stock code for the end of every contact, where it is mended to tell
+  /// (stock/contact_ends.h): of one whose end is not told, the history stays until the lists are
+  /// made anew, and a restart file takes it for one that goes on.
+  static void ask_for_ends();
 
   /// The events of the integrator that runs, while forces are evaluated in a step; else null.
   static ContactEvents* armed() { return armed_; }
@@ -99,10 +101,6 @@ class ContactEvents : protected Pointers {
   const StampedJump& stored(const class FixPropertyAtom* property, int i) const;
   const rodpack::SpatialJump* last_jump(int i) const;
   bool find_jump(const Contact& contact, rodpack::ContactJump& jump) const;
-
-  /// Asks stock code for the end of every contact, where it is mended to tell
-  /// (stock/contact_ends.h).
-  static void follow_ends(bool yes);
 
   static ContactEvents* armed_;
   const class FixMultisphere* bodies_;

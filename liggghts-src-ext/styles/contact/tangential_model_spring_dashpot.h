@@ -49,7 +49,9 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
         total_cap_(false),
         cap_offset_(-1),
         order_(0),
-        events_(NULL) {}
+        events_(NULL) {
+    ContactEvents::ask_for_ends();
+  }
 
   void registerSettings(Settings& settings) {
     settings.registerDoubleSetting("multistepOrder", slots_setting_, 3.0);
