@@ -4,9 +4,9 @@
 
 namespace rodpack {
 
-/// Whether somebody has to be told of the ends of contacts: an integrator that makes them good, or a
-/// model that has to forget. Stock code then hands every contact that has ended to its models, and
-/// not those alone that are still as close as the contact distance factor of neigh_modify says.
+/// Whether somebody has to be told of the ends of contacts: an integrator that makes them good, or
+/// a model that has to forget. Stock code then hands every contact that has ended to its models,
+/// and not those alone that are still as close as the contact distance factor of neigh_modify says.
 inline bool& ends_are_told() {
   static bool told = false;
   return told;
