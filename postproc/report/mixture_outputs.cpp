@@ -24,7 +24,7 @@ std::optional<Mixture> kinds_to_measure(const Frame& bodies, std::string& note) 
 
 std::string write_partial_rdf(const PartialRdf& rdf, const Mixture& mixture,
                               const std::string& stem, std::string& note) {
-  const auto table = stem + ".csv";
+  auto table = stem + ".csv";
   write_partial_rdf_table(rdf, mixture, table);
   if (rdf.pairs.size() > most_partial_curves) {
     note = "partial RDF: too many pairs of kinds for a figure; the table has them";

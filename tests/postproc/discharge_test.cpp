@@ -303,8 +303,8 @@ TEST(DischargeCommand, ParametersOutOfRangeAreRefused) {
     return refused.output;
   };
   const std::string width = "\"orifice_width_m\": ", gravity = "\"gravity_m_s2\": ";
-  for (const std::string wrong : {"0", "-1", "1e300", "1e-300"})
-    EXPECT_THAT(refusal(width + wrong + ", " + gravity + "10"),
+  for (const char* wrong : {"0", "-1", "1e300", "1e-300"})
+    EXPECT_THAT(refusal(std::string(width).append(wrong).append(", ").append(gravity).append("10")),
                 HasSubstr("5/parameters.json: key 'orifice_width_m': expected a number of 1e-12"));
   EXPECT_THAT(refusal(width + "5e-3, " + gravity + "0"),
               HasSubstr("key 'gravity_m_s2': expected a number above 0, found 0"));
@@ -314,7 +314,7 @@ TEST(DischargeCommand, ParametersOutOfRangeAreRefused) {
       refusal(sound + "\"close_after_s\": 1e-3"),
       HasSubstr("discharge.csv: no row between the opening of the orifice and its closing"));
   for (const std::string axis : {"\"q\"", "\"\"", "\"xy\"", "5", "null"})
-    EXPECT_THAT(refusal(sound + "\"vertical_axis\": " + axis),
+    EXPECT_THAT(refusal(std::string(sound).append("\"vertical_axis\": ").append(axis)),
                 HasSubstr("key 'vertical_axis': expected \"x\", \"y\" or \"z\", found " + axis));
 }
 

@@ -56,7 +56,7 @@ const std::string words = "pos id force delta";
 /// onto two triangles, x periodic, and three single spheres among them; its own dumps of their
 /// contacts beside ours, of one step.
 std::filesystem::path stock_heap() {
-  const auto folder = fresh_folder();
+  auto folder = fresh_folder();
   std::ofstream(folder / "floor.stl")
       << "solid floor\nfacet normal 0 1 0\nouter loop\nvertex 0 0 -0.008\nvertex 0.04 0 0.008\n"
          "vertex 0.04 0 -0.008\nendloop\nendfacet\nfacet normal 0 1 0\nouter loop\nvertex 0 0 "
