@@ -41,31 +41,37 @@ struct TangentialStep {
 
 namespace detail {
 
+/// Takes from a vector what it has along the unit vector `en`.
 inline void in_plane(const double* en, double (&vector)[3]) {
   const double normal = dot(vector, en);
   for (int d = 0; d < 3; ++d) vector[d] -= normal * en[d];
 }
 
-/// By how much the normal of a contact has turned from one step ago to the middle of the step.
-template <class Contact>
-void half_turn(const Contact& contact, double dt, double (&turn)[3]) {
-  normal_turning_rate(contact, turn);
-  for (int d = 0; d < 3; ++d) turn[d] *= 0.5 * dt;
-}
+/// Turns vectors of the plane of contact as it was `since` seconds ago into the present one, about
+/// the line in which these meet: what a vector has along the present normal lies along the normal
+/// midway between the two. The turn is known to O(since^2), the length of the vector exactly.
+class TurnWithContact {
+ public:
+  template <class Contact>
+  TurnWithContact(const Contact& contact, double since) : normal_(contact.en) {
+    normal_turning_rate(contact, midway_);
+    for (int d = 0; d < 3; ++d) midway_[d] = normal_[d] - 0.5 * since * midway_[d];
+  }
+  void operator()(double* vector) const {
+    const double before = dot(vector, vector);
+    if (before == 0.0) return;
+    const double along = dot(vector, normal_);
+    for (int d = 0; d < 3; ++d) vector[d] -= along * midway_[d];
+    const double after = dot(vector, vector);
+    if (after == 0.0) return;
+    const double scale = std::sqrt(before / after);
+    for (int d = 0; d < 3; ++d) vector[d] *= scale;
+  }
 
-/// Turns a vector of the former plane of contact into the present one, of normal `en`, about the
-/// line in which these meet: what it has along `en` lies along the normal midway between the two,
-/// half_turn() before `en`. The turn is known to O(dt^2), the length of the vector exactly.
-inline void turn_with_contact(const double* en, const double (&half_turn)[3], double* vector) {
-  const double before = dot(vector, vector);
-  if (before == 0.0) return;
-  const double normal = dot(vector, en);
-  for (int d = 0; d < 3; ++d) vector[d] -= normal * (en[d] - half_turn[d]);
-  const double after = dot(vector, vector);
-  if (after == 0.0) return;
-  const double scale = std::sqrt(before / after);
-  for (int d = 0; d < 3; ++d) vector[d] *= scale;
-}
+ private:
+  const double* normal_;
+  double midway_[3];
+};
 
 /// The life of a contact begins within a step, when the gap closes: sets the integral of the
 /// tangential velocity from then on, with the velocities taken as constant. Returns the time since.
@@ -93,9 +99,7 @@ double start_spring(const Contact& contact, double dt, double* spring) {
   const double scale = 1.0 / std::sqrt(dot(normal, normal));
   for (int d = 0; d < 3; ++d) normal[d] *= scale;
   tangential_velocity(velocity, spin, normal, at_touch);
-  double turn[3];
-  half_turn(contact, since_touch, turn);
-  turn_with_contact(contact.en, turn, at_touch);
+  TurnWithContact(contact, since_touch)(at_touch);
   for (int d = 0; d < 3; ++d) spring[d] = 0.5 * since_touch * (at_touch[d] + now[d]);
   return since_touch;
 }
@@ -143,9 +147,8 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
   past.known = std::min({history.known + 1, history.slots, 3});
   past.sliding = history.sliding;
   history.sliding = false;
-  double turn[3];
-  detail::half_turn(contact, dt, turn);
-  detail::turn_with_contact(contact.en, turn, history.spring);
+  const detail::TurnWithContact turn(contact, dt);
+  turn(history.spring);
   if (step.order == 0) {
     // Velocity Verlet shows the velocity at half the step, where the midpoint rule wants it.
     for (int d = 0; d < 3; ++d) history.spring[d] += dt * velocity[d];
@@ -154,8 +157,7 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
     return past;
   }
   const MultistepWeights& weights = multistep_weights(step.order, history.known);
-  for (int k = 0; k < history.slots; ++k)
-    detail::turn_with_contact(contact.en, turn, history.velocity[k]);
+  for (int k = 0; k < history.slots; ++k) turn(history.velocity[k]);
   if (events) {
     past.moved = events->motion_changed(contact, past.jump);
     if (past.moved) detail::follow_bodies(contact.en, dt, past.sliding, past.jump, history);
@@ -225,19 +227,20 @@ void report_turned_slide(const Contact& contact, const double (&force)[3], const
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
   const double cap = std::sqrt(dot(force, force)), speed = std::sqrt(dot(velocity, velocity));
   if (!(cap > 0.0)) return;
-  double acceleration[3], jumped[3], displacement[3];
-  const auto across = [&](const double(&vector)[3], double(&result)[3]) {
-    const double along = dot(vector, force) / (cap * cap);
-    for (int d = 0; d < 3; ++d) result[d] = vector[d] - along * force[d];
-  };
-  across(jump.acceleration, acceleration);
-  across(jump.velocity, jumped);
-  across(jump.displacement, displacement);
+  double direction[3];
+  for (int d = 0; d < 3; ++d) direction[d] = force[d] / cap;
+  ContactJump across = jump;
+  detail::in_plane(direction, across.acceleration);
+  detail::in_plane(direction, across.velocity);
+  detail::in_plane(direction, across.displacement);
   // In planar motion only rounding lies across the force.
-  if (dot(acceleration, acceleration) <= 1e-18 * dot(jump.acceleration, jump.acceleration)) return;
+  if (dot(across.acceleration, across.acceleration) <=
+      1e-18 * dot(jump.acceleration, jump.acceleration))
+    return;
   const double borne = detail::borne_dashpot(contact.gammat, contact.meff, dt);
   events.add(contact,
-             dashpot_change(std::min(borne, cap / speed), acceleration, jumped, displacement, dt),
+             dashpot_change(std::min(borne, cap / speed), across.acceleration, across.velocity,
+                            across.displacement, dt),
              false);
 }
 
@@ -354,9 +357,8 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history, co
   if (!(contact.vn > 0.0)) return;
   const double since = std::min(dt, -contact.deltan / contact.vn);
   if (history.sliding) {
-    double turn[3], direction[3];
-    detail::half_turn(contact, dt, turn);
-    detail::turn_with_contact(contact.en, turn, history.spring);
+    double direction[3];
+    detail::TurnWithContact(contact, dt)(history.spring);
     if (slide_direction(history.spring, direction))
       cap.report_end(contact, direction, since, dt, events);
     return;
