@@ -75,9 +75,7 @@ std::string touching_by_kind(const Frame& contacts, const std::vector<std::strin
     const auto mixture = kinds_to_measure(bodies, note);
     if (!mixture) return note.empty() ? "" : note + '\n';
     const auto coordination = coordination_by_species(contacts, bodies, *mixture);
-    write_mixture_table(*mixture, {}, coordination, stem + "_mixture.csv");
-    written += ", " + stem + "_mixture.csv";
-    return "by kind, last frame:\n" + describe(*mixture, {}, coordination);
+    return write_by_kind(*mixture, {}, coordination, stem, written);
   } catch (const DataError& reason) {  // a dump of ids alone tells no kinds
     return std::string("not by kind: ") + reason.what() + '\n';
   }

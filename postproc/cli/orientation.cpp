@@ -56,10 +56,7 @@ std::string by_kind(const Frame& last, const Measure& measure, const std::string
   std::string note;
   const auto mixture = kinds_to_measure(last, note);
   if (!mixture) return note.empty() ? "" : note + '\n';
-  const auto measures = measure(*mixture);
-  write_mixture_table(*mixture, measures, {}, stem + "_mixture.csv");
-  written += ", " + stem + "_mixture.csv";
-  return "by kind, last frame:\n" + describe(*mixture, measures, {});
+  return write_by_kind(*mixture, measure(*mixture), {}, stem, written);
 }
 
 void orientation_in_plane(const OrientationCommand& options) {

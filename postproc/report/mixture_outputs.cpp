@@ -60,4 +60,13 @@ std::string describe(const Mixture& mixture, const std::vector<SpeciesMeasures>&
   return text;
 }
 
+std::string write_by_kind(const Mixture& mixture, const std::vector<SpeciesMeasures>& measures,
+                          const std::vector<std::vector<double>>& coordination,
+                          const std::string& stem, std::string& written) {
+  const auto table = stem + "_mixture.csv";
+  write_mixture_table(mixture, measures, coordination, table);
+  written += ", " + table;
+  return "by kind, last frame:\n" + describe(mixture, measures, coordination);
+}
+
 }  // namespace rodpack

@@ -27,6 +27,12 @@ std::string write_partial_rdf(const PartialRdf& rdf, const Mixture& mixture,
 std::string describe(const Mixture& mixture, const std::vector<SpeciesMeasures>& measures,
                      const std::vector<std::vector<double>>& coordination);
 
+/// Writes `stem`_mixture.csv of the last frame, adds its name to those that are `written`, and
+/// returns what describe() says of it under a heading.
+std::string write_by_kind(const Mixture& mixture, const std::vector<SpeciesMeasures>& measures,
+                          const std::vector<std::vector<double>>& coordination,
+                          const std::string& stem, std::string& written);
+
 }  // namespace rodpack
 
 #endif
