@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What the tests of the study workflow share: a fresh folder, a table, inputs/study/run.sh."""
 
+import contextlib
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -36,6 +38,8 @@ cases:
 
 # The tests of the workflow end with the ensemble; the report has tests of its own.
 UNTIL_ENSEMBLE = ("--no-report",)
+# Seconds after which a study of these has not been slow but has come to a halt.
+LONGEST_STUDY = 240
 
 
 class StudyTest(unittest.TestCase):
@@ -70,12 +74,20 @@ class StudyTest(unittest.TestCase):
 
     def run_study(self, *words, expect=0):
         """Runs run.sh to its end. Returns what it printed."""
-        done = subprocess.run(
+        study = subprocess.Popen(
             self.command(*words), env=self.environment(), stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, text=True,
+            stderr=subprocess.STDOUT, text=True, start_new_session=True,
         )
-        self.assertEqual(done.returncode, expect, done.stdout + self.log("snakemake.log"))
-        return done.stdout
+        try:
+            printed = study.communicate(timeout=LONGEST_STUDY)[0]
+        except BaseException as fault:
+            at_work = members_of(study.pid)
+            os.killpg(study.pid, signal.SIGKILL)
+            if isinstance(fault, subprocess.TimeoutExpired):
+                self.fail(f"no end after {LONGEST_STUDY} s\n{at_work}\n{self.log('snakemake.log')}")
+            raise
+        self.assertEqual(study.returncode, expect, printed + self.log("snakemake.log"))
+        return printed
 
     def log(self, name):
         file = self.out / "logs" / name
@@ -92,6 +104,16 @@ class StudyTest(unittest.TestCase):
         logs = (self.out / "logs").glob("*-seed-*.log")
         count = {log.stem: log.read_text().count("LIGGGHTS (Version") for log in logs}
         return {name: times for name, times in count.items() if times > 0}
+
+
+def members_of(group):
+    """The command lines of the processes of a group, one a line."""
+    commands = []
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # it has ended meanwhile
+            if os.getpgid(int(process.name)) == group:
+                commands.append((process / "cmdline").read_text().replace("\0", " "))
+    return "\n".join(commands)
 
 
 def ensemble_text(out):

@@ -10,7 +10,7 @@ import sys
 import time
 import unittest
 
-from support import CASES, DEPOSITION, PROGRAMS, SMALL, UNTIL_ENSEMBLE, WORKFLOW, StudyTest, ensemble, ensemble_text
+from support import CASES, DEPOSITION, LONGEST_STUDY, PROGRAMS, SMALL, UNTIL_ENSEMBLE, WORKFLOW, StudyTest, ensemble, ensemble_text
 
 
 class Workflow(StudyTest):
@@ -219,11 +219,6 @@ class Workflow(StudyTest):
         self.assertEqual(self.started(), {})
         self.assertTrue((run / "analysis" / "summary.json").exists())
 
-    def test_ranks_are_a_column(self):
-        self.write_table(SMALL + "cases:\n  rods: {aspect_ratio: 3, ranks: 2}\n")
-        self.run_study("--runs-only")
-        self.assertIn("2 by 1 by 1 MPI processor grid", (self.out / "logs/rods-seed-1.log").read_text())
-
     def test_a_dry_run_says_what_it_costs_and_changes_nothing(self):
         self.write_table("repetitions: 3\n" + SMALL + CASES)
         shutil.rmtree(self.out)
@@ -243,7 +238,7 @@ class Workflow(StudyTest):
             self.assertIsNone(first.poll())
             time.sleep(0.05)
         self.assertIn(f"is at work in {self.out}", self.run_study("--runs-only", expect=1))
-        self.assertEqual(first.wait(), 0)
+        self.assertEqual(first.wait(timeout=LONGEST_STUDY), 0)
 
     def test_ctrl_c_ends_it_and_the_same_command_goes_on(self):
         self.write_table(SMALL.replace("particles: 30", "particles: 150") + CASES)
@@ -256,7 +251,7 @@ class Workflow(StudyTest):
             time.sleep(0.05)
         # As a terminal does: to all of them.
         os.killpg(study.pid, signal.SIGINT)
-        self.assertIn("interrupted: the same command goes on", study.communicate()[0])
+        self.assertIn("interrupted: the same command goes on", study.communicate(timeout=LONGEST_STUDY)[0])
         self.assertEqual(study.returncode, 130)
         self.assertFalse((self.run_folder("rods", 1) / "result.json").exists())
         self.run_study("--runs-only")
