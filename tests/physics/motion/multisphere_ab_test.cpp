@@ -9,18 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace {
 
 using namespace rodpack::test;
 using State = std::vector<double>;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
 
 std::string ab(int order, const std::string& rest = "") {
   return "multisphere/ab order " + std::to_string(order) + rest;
@@ -69,7 +64,7 @@ const double flight_time = 0.1;  // s
 
 Table fly(const std::string& integrator, int steps, std::map<std::string, std::string> vars = {}) {
   vars["integrator"] = integrator;
-  vars["timestep"] = number(flight_time / steps);
+  vars["timestep"] = exact(flight_time / steps);
   vars["steps"] = vars["every"] = std::to_string(steps + 1);  // born in step 1
   return last_state("free_flight", vars);
 }
@@ -159,7 +154,7 @@ TEST(MultisphereAb, BodyBornMidRunMovesLikeOneBornAtTheStart) {
   const Table early = fly(ab(3), 700, {{"timestep", "1e-4"}});
   const auto run = run_liggghts("verification/free_flight/in.free_flight",
                                 {{"integrator", ab(3)},
-                                 {"timestep", number(flight_time / 700)},
+                                 {"timestep", exact(flight_time / 700)},
                                  {"steps", "1001"},
                                  {"every", "1001"},
                                  {"second", "301"}});
@@ -191,7 +186,7 @@ TEST(MultisphereAb, BodyInElasticContactIsOfTheOrderAsked) {
     for (int fine = 0; fine < 2; ++fine) {
       const int steps = 2000 * (fine + 1);
       const Table state = last_state("rocking_body", {{"integrator", ab(order, " planar yes")},
-                                                      {"timestep", number(time / steps)},
+                                                      {"timestep", exact(time / steps)},
                                                       {"steps", std::to_string(steps + 1)}});
       const double angle = 2 * std::atan2(state.column("c_q[4]")[0], state.column("c_q[1]")[0]);
       error[fine] =
