@@ -79,10 +79,6 @@ void require_other_run_of_the_same_particles(const MeasuredRun& run, const Measu
   }
 }
 
-std::string or_empty(const std::optional<double>& value, double factor = 1) {
-  return value ? number_text(*value * factor) : "";
-}
-
 void write_table(const std::vector<MeasuredRun>& runs, const std::string& file) {
   std::string text =
       csv_line({"run", "orifice_width_over_dp", "half_angle_deg", "rate_per_s", "rate_sem_per_s",
@@ -91,9 +87,13 @@ void write_table(const std::vector<MeasuredRun>& runs, const std::string& file) 
       '\n';
   for (const auto& run : runs) {
     const auto& out = run.outflow;
+    const auto scaled = [&](std::optional<double> rate) {
+      if (rate) *rate *= run.rate_scale;
+      return rate;
+    };
     text += csv_line({run.folder, number_text(run.width), number_text(run.half_angle),
-                      or_empty(out.rate), or_empty(out.rate_error),
-                      or_empty(out.rate, run.rate_scale), or_empty(out.rate_error, run.rate_scale),
+                      csv_number(out.rate), csv_number(out.rate_error),
+                      csv_number(scaled(out.rate)), csv_number(scaled(out.rate_error)),
                       number_text(out.from), number_text(out.to), number_text(out.discharged),
                       number_text(out.inside), number_text(out.last), describe(out.end)});
     text += '\n';
