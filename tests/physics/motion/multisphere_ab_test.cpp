@@ -88,7 +88,7 @@ TEST(MultisphereAb, FreeFallIsExactFromOrderTwoOn) {
 TEST(MultisphereAb, FreeRotationIsOfTheOrderAsked) {
   // deck: orientation (0.8, 0, 0.6, 0), so R = rotation about y by 2 atan(0.6/0.8); omega in space
   const double c = 0.28, s = 0.96, w[3] = {60, 9, -15};
-  const State exact =
+  const State solution =
       freely_rotating({0.8, 0, 0.6, 0}, {c * w[0] - s * w[2], w[1], s * w[0] + c * w[2]},
                       {1e-7, 2e-7, 4e-7}, flight_time);
   for (int order = 1; order <= 4; ++order) {
@@ -98,7 +98,7 @@ TEST(MultisphereAb, FreeRotationIsOfTheOrderAsked) {
       error[fine] = 0;
       for (int d = 0; d < 4; ++d) {
         const double q = state.column("c_q[" + std::to_string(d + 1) + "]")[0];
-        error[fine] += (q - exact[d]) * (q - exact[d]);
+        error[fine] += (q - solution[d]) * (q - solution[d]);
       }
       error[fine] = std::sqrt(error[fine]);
     }
@@ -173,7 +173,7 @@ TEST(MultisphereAb, BodyBornMidRunMovesLikeOneBornAtTheStart) {
 // y, vy, angle and omega of the rocking body; equations and numbers in the deck's header
 TEST(MultisphereAb, BodyInElasticContactIsOfTheOrderAsked) {
   const double m = 1e-3, moment = 2e-8, k = 1000, g = 981, r = 2e-3, arm = 4e-3, time = 1e-2;
-  const State exact =
+  const State solution =
       integrate({0.0016000003565837314, 0, 0, 50}, time, 20000, [&](const State& y) {
         const double left = k * (r - (y[0] - arm * std::sin(y[2])));
         const double right = k * (r - (y[0] + arm * std::sin(y[2])));
@@ -189,8 +189,8 @@ TEST(MultisphereAb, BodyInElasticContactIsOfTheOrderAsked) {
                                                       {"timestep", exact(time / steps)},
                                                       {"steps", std::to_string(steps + 1)}});
       const double angle = 2 * std::atan2(state.column("c_q[4]")[0], state.column("c_q[1]")[0]);
-      error[fine] =
-          std::hypot((state.column("c_x[2]")[0] - exact[0]) / 1e-4, (angle - exact[2]) / 4e-2);
+      error[fine] = std::hypot((state.column("c_x[2]")[0] - solution[0]) / 1e-4,
+                               (angle - solution[2]) / 4e-2);
     }
     EXPECT_NEAR(observed_order(error[0], error[1]), order, 0.1)
         << "order " << order << ", errors " << error[0] << " " << error[1];
