@@ -78,7 +78,7 @@ class FieldSample {
   const CoarseGraining& averages() const;
   /// The fields, normalised as the options say, by walls and surface of the first frame.
   std::vector<Field> fields() const;
-  /// By what the options divide them.
+  /// What the options divide them by.
   Normalisation normalisation() const { return options_.normalisation; }
 
  private:

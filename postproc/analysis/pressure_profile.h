@@ -23,7 +23,7 @@ struct PressureProfile {
   double inclination = 0;          // of gravity against -y, rad
   bool walls_divided_out = false;  // by the kernel's share between them
   // Depths between which the averages hold nothing of the space beyond walls and surface, m; none
-  // when the second is not larger. Of a packing's own profile alone.
+  // when the second is not larger. Set for a packing's own profile alone.
   std::array<double, 2> undisturbed{};
   std::vector<double> depth;               // h below the surface of the bed, m
   std::vector<double> xx, xy, yx, yy;      // N/m

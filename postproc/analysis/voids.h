@@ -34,8 +34,8 @@ struct VoidSearch {
 
 /// Finds the voids of a frame of spheres (columns `body x y radius`), on a raster: areas are exact
 /// to about the void's circumference times half a step. Walls as given, a missing side wall or
-/// floor ends the search too. From the lowest row up. @throws DataError when a column is missing or
-/// a length is not positive.
+/// floor ends the search too. They come in the order of their lowest rows. @throws DataError when a
+/// column is missing or a length is not positive.
 std::vector<Void> find_voids(const Frame& spheres, const Walls& walls, const VoidSearch& search);
 
 }  // namespace rodpack

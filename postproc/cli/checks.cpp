@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "reading/checks/number_range.h"
+#include "reading/data_error.h"
 #include "reading/number_text.h"
 #include "reading/parsing.h"
 #include "reading/wildcard.h"
@@ -123,6 +124,14 @@ CLI::Validator existing_program() {
   return word_check("a program that exists", "", [](const std::string& word) {
     return is_program(word) || in_search_path(word);
   });
+}
+
+void require_other_folder(const std::string& folder, const std::string& earlier) {
+  if (fs::equivalent(folder, earlier)) refuse_run_again(folder, earlier);
+}
+
+void refuse_run_again(const std::string& folder, const std::string& earlier) {
+  throw DataError(folder + ": expected each run once, found that of " + earlier + " again");
 }
 
 }  // namespace rodpack::cli

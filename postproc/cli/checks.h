@@ -21,7 +21,7 @@ CLI::Validator whole_number(double low, double high);
 /// A length, a place, a force, m or N: limits far beyond every packing of grains.
 CLI::Validator length();
 CLI::Validator place();
-/// Of --window. @throws CLI::ValidationError unless XLO < XHI and YLO < YHI.
+/// For --window. @throws CLI::ValidationError unless XLO < XHI and YLO < YHI.
 void require_window(const std::vector<double>& corners);
 /// One of the words, in just these letters.
 CLI::Validator one_of(const std::vector<std::string>& words);
@@ -39,6 +39,13 @@ CLI::Validator name_of_folder();
 CLI::Validator existing_file();
 CLI::Validator existing_folder();
 CLI::Validator existing_program();
+
+// Several runs count once each. Both throw a DataError that names both folders.
+
+/// Refuses a folder that is `earlier`, by whatever name.
+void require_other_folder(const std::string& folder, const std::string& earlier);
+/// Refuses a run that is the one in `earlier`.
+[[noreturn]] void refuse_run_again(const std::string& folder, const std::string& earlier);
 
 }  // namespace rodpack::cli
 

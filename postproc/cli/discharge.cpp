@@ -45,10 +45,9 @@ struct MeasuredRun {
 
 MeasuredRun measure_run(const std::string& folder, OutflowOptions options) {
   auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
-  const double width = parameters.number("orifice_width_m"), g = parameters.number("gravity_m_s2");
+  const double width = parameters.number("orifice_width_m");
+  const double g = parameters.positive_number("gravity_m_s2");
   const double diameter = parameters.number("particle_diameter_m");
-  if (!(g > 0))
-    throw DataError(parameters.file + ": key 'gravity_m_s2': expected a number above 0, found 0");
   if (parameters.values.contains("close_after_s") && parameters.number("close_after_s") > 0)
     options.closed_at = parameters.number("close_after_s");
   // A scene in space states which axis is the vertical one.
@@ -65,11 +64,10 @@ MeasuredRun measure_run(const std::string& folder, OutflowOptions options) {
 // One law holds for particles of one shape and friction, and a run that counts twice would make the
 // errors too small.
 void require_other_run_of_the_same_particles(const MeasuredRun& run, const MeasuredRun& first) {
-  if (fs::equivalent(run.folder, first.folder) ||
-      (run.outflow.discharged > 0 && run.width == first.width &&
-       run.history.time == first.history.time &&
-       run.history.discharged == first.history.discharged))
-    throw DataError(run.folder + ": expected each run once, found the counts of " + first.folder);
+  require_other_folder(run.folder, first.folder);
+  if (run.outflow.discharged > 0 && run.width == first.width &&
+      run.history.time == first.history.time && run.history.discharged == first.history.discharged)
+    refuse_run_again(run.folder, first.folder);
   for (const char* key : {"aspect_ratio", "overlap", "size_spread", "friction",
                           "damping_ratio_normal", "damping_ratio_tangential"}) {
     const auto expected = first.parameters.values.value(key, nlohmann::json());
@@ -81,10 +79,6 @@ void require_other_run_of_the_same_particles(const MeasuredRun& run, const Measu
   }
 }
 
-std::string or_empty(const std::optional<double>& value, double factor = 1) {
-  return value ? number_text(*value * factor) : "";
-}
-
 void write_table(const std::vector<MeasuredRun>& runs, const std::string& file) {
   std::string text =
       csv_line({"run", "orifice_width_over_dp", "half_angle_deg", "rate_per_s", "rate_sem_per_s",
@@ -93,9 +87,13 @@ void write_table(const std::vector<MeasuredRun>& runs, const std::string& file) 
       '\n';
   for (const auto& run : runs) {
     const auto& out = run.outflow;
+    const auto scaled = [&](std::optional<double> rate) {
+      if (rate) *rate *= run.rate_scale;
+      return rate;
+    };
     text += csv_line({run.folder, number_text(run.width), number_text(run.half_angle),
-                      or_empty(out.rate), or_empty(out.rate_error),
-                      or_empty(out.rate, run.rate_scale), or_empty(out.rate_error, run.rate_scale),
+                      csv_number(out.rate), csv_number(out.rate_error),
+                      csv_number(scaled(out.rate)), csv_number(scaled(out.rate_error)),
                       number_text(out.from), number_text(out.to), number_text(out.discharged),
                       number_text(out.inside), number_text(out.last), describe(out.end)});
     text += '\n';

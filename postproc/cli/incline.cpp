@@ -59,9 +59,7 @@ double mean_velocity(const Frame& bodies) {
 MeasuredSlope measure_slope(const std::string& folder, const InclineCommand& command) {
   const auto parameters = read_parameters((fs::path(folder) / "parameters.json").string());
   const Slope slope{parameters.number("inclination_deg") * degree,
-                    parameters.number("gravity_m_s2")};
-  if (!(slope.gravity > 0))
-    throw DataError(parameters.file + ": key 'gravity_m_s2': expected a number above 0, found 0");
+                    parameters.positive_number("gravity_m_s2")};
   const double d = parameters.number("particle_diameter_m"), dt = parameters.number("timestep_s");
   const auto contact_files = dumps_of_run(folder, "contacts");
   std::optional<double> scale;
@@ -150,9 +148,7 @@ void write_slopes(const std::vector<MeasuredSlope>& runs, const std::string& fil
 void run_incline(const InclineCommand& command) {
   std::vector<MeasuredSlope> runs;
   for (const auto& folder : command.runs) {
-    for (const auto& earlier : runs)
-      if (fs::equivalent(folder, earlier.folder))
-        throw DataError(folder + ": expected each run once, found that of " + earlier.folder);
+    for (const auto& earlier : runs) require_other_folder(folder, earlier.folder);
     runs.push_back(measure_slope(folder, command));
   }
   for (const auto& run : runs) print_slope(run);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "cli/input.h"
 
+#include <utility>
+
 #include "analysis/stock/stock_dumps.h"
 #include "cli/checks.h"
 #include "reading/checks/frame_pool.h"
@@ -28,19 +30,24 @@ const Frame& Input::last() const {
   return *last_;
 }
 
-void Input::for_frames(const std::function<void(const Frame&)>& visit) const {
-  if (!all_frames) return visit(last());
+const Frame& Input::for_frames(const std::function<void(const Frame&)>& visit) const {
+  if (!all_frames) {
+    visit(last());
+    return last();
+  }
   const auto files = find_dumps(patterns);
   FramePool pool;
   bool any = false;
   for_each_frame(files, [&](const Frame& read) {
-    const auto frame = taken(read);
+    auto frame = taken(read);
     if (!pool.take(frame)) return;
     any = true;
     visit(frame);
+    last_visited_ = std::move(frame);
   });
   if (!any) throw DataError(files.back() + ": no rows in any frame");
   passed_over = pool.passed_over();
+  return last_visited_;
 }
 
 bool Input::is_in_space() const {

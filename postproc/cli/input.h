@@ -28,8 +28,8 @@ struct Input {
   /// as_bodies() and require_contact_dump().
   const Frame& last() const;
   /// Calls `visit` with it, or with every frame that FramePool takes if the user asks
-  /// for all. @throws DataError as last(), and when it takes none.
-  void for_frames(const std::function<void(const Frame&)>& visit) const;
+  /// for all; returns the last one of these. @throws DataError as last(), and when it takes none.
+  const Frame& for_frames(const std::function<void(const Frame&)>& visit) const;
   /// Whether the last frame shows a scene in space. @throws DataError as rodpack::is_in_space(),
   /// CLI::ValidationError for walls of the other kind of scene.
   bool is_in_space() const;
@@ -40,6 +40,7 @@ struct Input {
  private:
   Frame taken(const Frame& read) const;
   mutable std::optional<Frame> last_;  // read once: a frame may take seconds
+  mutable Frame last_visited_;         // of all that count
 };
 
 /// Adds the dump files of `kind` ("bodies") as arguments without a name.

@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "analysis/order/bond_order.h"
 #include "analysis/space/spatial_orientation.h"
@@ -62,23 +63,19 @@ std::string by_kind(const Frame& last, const Measure& measure, const std::string
 void orientation_in_plane(const OrientationCommand& options) {
   OrientationSample sample;
   OptionalBondOrder bonds;
-  std::string setting;
-  Frame last;
   Packing last_packing;
-  options.input.for_frames([&](const Frame& frame) {
-    const auto packing = read_packing(frame, options.input.packing);
+  const Frame& last = options.input.for_frames([&](const Frame& frame) {
+    auto packing = read_packing(frame, options.input.packing);
     sample.add(packing);
     bonds.add(frame, packing);
-    setting = describe(packing);
-    last = frame;
-    last_packing = packing;
+    last_packing = std::move(packing);
   });
   const auto distribution = sample.distribution(options.bins);
   auto written = write_orientation(distribution, options.stem);
   const auto kinds = by_kind(
       last, [&](const Mixture& mixture) { return measure_species(last_packing, mixture); },
       options.stem, written);
-  std::cout << setting << '\n'
+  std::cout << describe(last_packing) << '\n'
             << options.input.passed_over_line() << distribution.particles
             << " particles; left out: " << distribution.near_walls
             << " closer than AR d_p to a wall, " << distribution.spheres << " spheres\n"
@@ -115,22 +112,18 @@ void report_order(const SpatialOrientation& result) {
 
 void orientation_in_space(const OrientationCommand& options) {
   SpatialOrientationSample sample;
-  std::string setting;
-  Frame last;
   SpatialPacking last_packing;
-  options.input.for_frames([&](const Frame& frame) {
-    const auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
+  const Frame& last = options.input.for_frames([&](const Frame& frame) {
+    auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
     sample.add(packing);
-    setting = describe(packing);
-    last = frame;
-    last_packing = packing;
+    last_packing = std::move(packing);
   });
   const auto result = sample.result(options.bins);
   auto written = write_orientation(result, options.stem);
   const auto kinds = by_kind(
       last, [&](const Mixture& mixture) { return measure_species(last_packing, last, mixture); },
       options.stem, written);
-  std::cout << setting << '\n' << options.input.passed_over_line();
+  std::cout << describe(last_packing) << '\n' << options.input.passed_over_line();
   report_order(result);
   std::cout << kinds << "written: " << written << '\n';
 }

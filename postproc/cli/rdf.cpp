@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "analysis/pairs/peak_configurations.h"
 #include "analysis/space/axial_rdf.h"
@@ -142,21 +143,18 @@ void rdf_in_space(const RdfCommand& options) {
   SpatialRdfSample sample(options.rdf);
   std::optional<AxialRdfSample> axial_sample;
   if (options.axial) axial_sample.emplace(options.along_across);
-  std::string setting;
-  Frame last;
   SpatialPacking last_packing;
-  options.input.for_frames([&](const Frame& frame) {
-    const auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
+  const Frame& last = options.input.for_frames([&](const Frame& frame) {
+    auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
     sample.add(packing);
     if (axial_sample) axial_sample->add(packing);
-    setting = describe(packing);
-    last = frame;
-    last_packing = packing;
+    last_packing = std::move(packing);
   });
   const auto rdf = sample.result();
   auto written = write_rdf(rdf, options.stem);
   const auto kinds = by_kind(last, last_packing, options, written);
-  std::cout << setting << '\n' << options.input.passed_over_line() << rdf.centres << " centres";
+  std::cout << describe(last_packing) << '\n'
+            << options.input.passed_over_line() << rdf.centres << " centres";
   if (rdf.margin > 0)
     std::cout << " further than " << number_text(rdf.margin, 4) << " d_p from walls and surface"
               << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "");
@@ -176,15 +174,11 @@ void rdf_in_space(const RdfCommand& options) {
 void rdf_in_plane(const RdfCommand& options) {
   if (options.axial) throw CLI::ValidationError("--axial", "expected in a scene in space alone");
   RdfSample sample(options.rdf);
-  std::string setting;
-  Frame last;
   Packing last_packing;
-  options.input.for_frames([&](const Frame& frame) {
-    const auto packing = read_packing(frame, options.input.packing);
+  const Frame& last = options.input.for_frames([&](const Frame& frame) {
+    auto packing = read_packing(frame, options.input.packing);
     sample.add(packing);
-    setting = describe(packing);
-    last = frame;
-    last_packing = packing;
+    last_packing = std::move(packing);
   });
   const auto rdf = sample.result();
   // A wrong distance shows before anything is written.
@@ -192,7 +186,7 @@ void rdf_in_plane(const RdfCommand& options) {
   if (options.explain) explanation = explain_peak(options, rdf);
   auto written = write_rdf(rdf, options.stem);
   const auto kinds = by_kind(last, last_packing, options, written);
-  std::cout << setting << '\n'
+  std::cout << describe(last_packing) << '\n'
             << options.input.passed_over_line() << rdf.centres << " centres further than "
             << number_text(rdf.margin, 4) << " d_p from walls and surface"
             << (rdf.margin_reduced ? " (the bed is too small for 10 + AR)" : "") << '\n'

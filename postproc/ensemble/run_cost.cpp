@@ -6,6 +6,8 @@
 #include <sstream>
 #include <vector>
 
+#include "reading/parsing.h"
+
 namespace rodpack {
 namespace {
 
@@ -20,13 +22,9 @@ std::vector<std::string> words_of(const std::string& line) {
 std::vector<double> numbers_of(const std::vector<std::string>& words) {
   std::vector<double> numbers;
   for (const auto& word : words) {
-    std::size_t read = 0;
-    try {
-      numbers.push_back(std::stod(word, &read));
-    } catch (const std::exception&) {
-      return {};
-    }
-    if (read != word.size()) return {};
+    double number = 0;
+    if (!parse_number(word, number)) return {};
+    numbers.push_back(number);
   }
   return numbers;
 }

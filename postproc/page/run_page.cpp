@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// Of a scene in a plane as of one in space.
+// Scenes in a plane and in space have these two figures alike.
 const FigureText distribution_of_forces{"forces",
                                         "Distributions of the normal and tangential contact forces",
                                         "Each is divided by its mean.", false};

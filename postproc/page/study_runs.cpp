@@ -60,7 +60,7 @@ std::vector<std::string> columns_of(const Study& study) {
   return columns;
 }
 
-// Of the parameters of all cases those that are the same.
+// The parameters that all cases have the same.
 Json common_values(const Study& study) {
   Json common;
   const auto& cases = study.ensemble.cases;

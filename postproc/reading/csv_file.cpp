@@ -23,4 +23,8 @@ std::string csv_line(const std::vector<std::string>& fields) {
   return line;
 }
 
+std::string csv_number(const std::optional<double>& value, int significant_digits) {
+  return value ? number_text(*value, significant_digits) : "";
+}
+
 }  // namespace rodpack

@@ -2,6 +2,7 @@
 #ifndef RODPACK_READING_CSV_FILE_H
 #define RODPACK_READING_CSV_FILE_H
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,9 @@ void write_csv(const std::string& file,
 
 /// Joins fields to one line of a comma-separated table, without line end.
 std::string csv_line(const std::vector<std::string>& fields);
+
+/// The field of a number with so many significant digits, empty where there is none.
+std::string csv_number(const std::optional<double>& value, int significant_digits = 10);
 
 }  // namespace rodpack
 

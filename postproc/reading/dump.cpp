@@ -40,6 +40,8 @@ VectorColumns vector_columns(const Frame& frame, const std::array<const char*, 3
 // Whole numbers up to here are exact as double, as which timesteps are written to VTK files.
 constexpr long largest_timestep = 9007199254740992;
 constexpr double largest_box = 1e6;  // m
+// A frame of 2 GB: a few kB of compressed text can hold any number of rows.
+constexpr std::size_t most_numbers = 250000000;
 
 // Lines of a plain or gzip-compressed file (zlib reads both), with the number of the current line.
 struct DumpReader::Stream {
@@ -213,6 +215,10 @@ void DumpReader::Stream::read_names(Frame& frame) {
     frame.names.emplace_back(name);
   }
   if (frame.names.empty()) fail("this line names no columns");
+  if (frame.rows > most_numbers / frame.names.size())
+    fail("expected a frame of at most " + std::to_string(most_numbers) + " numbers, found one of " +
+         std::to_string(frame.rows) + " rows and " + std::to_string(frame.names.size()) +
+         " columns");
 }
 
 namespace {

@@ -51,6 +51,14 @@ double RunParameters::number(const std::string& key) const {
   return found->get<double>();
 }
 
+double RunParameters::positive_number(const std::string& key) const {
+  const double value = number(key);
+  if (!(value > 0))
+    throw DataError(file + ": key '" + key + "': expected a number above 0, found " +
+                    shortened(values.at(key).dump()));
+  return value;
+}
+
 RunParameters read_parameters(const std::string& file) {
   nlohmann::json values = read_json_object(file);
   const auto units = values.value("units", nlohmann::json("si"));

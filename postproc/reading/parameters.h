@@ -17,6 +17,8 @@ struct RunParameters {
   /// Returns the value of a key, in the unit that its name says. @throws DataError naming file and
   /// key when it is missing or no number in the range of that parameter.
   double number(const std::string& key) const;
+  /// The same of a number that has to be above 0.
+  double positive_number(const std::string& key) const;
 };
 
 /// Reads the parameters in `file`. @throws DataError as read_json_object(), and when the key

@@ -10,7 +10,7 @@
 
 namespace rodpack {
 
-// What the readers of dumps, tables and of the command line share; nobody else includes this.
+// What all that reads text shares: of dumps, tables, JSON, logs and the command line.
 
 /// Takes the next blank-separated word off the front of `rest`; empty at the end.
 std::string_view take_word(std::string_view& rest);

@@ -143,7 +143,7 @@ StudyFigure draw_packing_with_voids(const Ensemble& ensemble, const std::string&
   const VoidSearch search{0.5 * frame->diameter, frame->diameter / 20,
                           frame->surface - frame->axial_length};
   auto voids = find_voids(frame->spheres, frame->walls, search);
-  // Those that reach the top of the search go on above it.
+  // A void that reaches the top of the search goes on above it.
   voids.erase(std::remove_if(voids.begin(), voids.end(),
                              [&](const Void& one) {
                                return one.rows.back().y > search.surface - search.step;

@@ -12,21 +12,17 @@ namespace {
 const char* const to_surface = "solid_fraction";
 const char* const below_surface = "solid_fraction_to_3_omega_below_surface";
 
-std::string optional_text(const std::optional<double>& value) {
-  return value ? number_text(*value, 6) : "";
-}
-
 std::string csv_row(const PublishedComparison& row) {
   const auto& published = row.published;
   return csv_line({row.case_name, row.quantity, averaging_of(row.quantity),
-                   number_text(row.measured.mean, 6), optional_text(row.measured.sem),
+                   number_text(row.measured.mean, 6), csv_number(row.measured.sem, 6),
                    std::to_string(row.measured.n),
                    published ? number_text(published->value, 6) : "",
                    published ? number_text(published->error, 6) : "",
                    published ? number_text(published->rounding, 3) : "",
                    published ? number_text(row.difference, 4) : "",
-                   published ? optional_text(row.combined_error) : "",
-                   optional_text(row.deviation()), published ? published->source : ""});
+                   published ? csv_number(row.combined_error, 6) : "",
+                   csv_number(row.deviation(), 6), published ? published->source : ""});
 }
 
 std::string measured_text(const EnsembleMean& mean) {

@@ -15,7 +15,6 @@
 
 #include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 #include "table.h"
 
 using namespace rodpack::test;
@@ -65,8 +64,6 @@ void expect_same_bits(const Table& a, const Table& b) {
 }
 
 const char* const on = "totalForceCap on";
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 /// Rods that land on the floor under the total cap, at 1.6 ms, in `steps` steps; `fall` says how.
 Table landed(std::map<std::string, std::string> fall, const std::string& events, int steps) {

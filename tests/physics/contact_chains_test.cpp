@@ -146,17 +146,17 @@ TEST(Chains, KineticEnergyReturnsFromAnObliqueCollision) {
 // A body of LIGGGHTS's own template, three tangent spheres, and a plain sphere beside it. The
 // body's row is that of the straight chain around it; the sphere's id follows the largest body id.
 TEST(Chains, BodiesOfStockTemplatesAndPlainSpheresAreListed) {
-  const auto run =
-      run_liggghts(Deck().boundary("f f p").box("-0.03 0.03 -0.02 0.02 -0.01 0.01").with(R"(
+  const auto run = run_liggghts(Deck()
+                                    .boundary("f f p")
+                                    .box("-0.03 0.03 -0.02 0.02 -0.01 0.01")
+                                    .with(R"(
 create_atoms 1 single 0.01 0.01 0 units box
 set group all diameter 0.002 density 2500
 fix stock all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 &
   ntry 100000 spheres -0.003 0 0 0.0015 0 0 0 0.0015 0.003 0 0 0.0015 type 1
 fix chains all particledistribution/discrete 15485867 1 stock 1.0
-region at block -1e-7 1e-7 -1e-7 1e-7 -1e-7 1e-7 units box volume_limit 1e-22
-fix insert all insert/pack seed 32452843 distributiontemplate chains insert_every once &
-  overlapcheck no orientation constant 1 0 0 0 vel constant 0 0 0 particles_in_region 1 region at
-fix integrate all multisphere
+)" + one_particle("middle", {0, 0, 0}, "orientation constant 1 0 0 0", "chains") +
+                                          R"(fix integrate all multisphere
 dump bodies all multisphere/body 1 bodies.dump
 run 1
 )"));

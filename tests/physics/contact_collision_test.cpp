@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "collision_reference.h"
+#include "deck.h"
 #include "liggghts_run.h"
 #include "rodpack/contact/contact_law.h"
 
@@ -19,29 +19,23 @@ namespace {
 
 constexpr double paper_step = 1.1e-5;  // s
 
-std::string text(double value) {
-  char digits[40];
-  std::snprintf(digits, sizeof(digits), "%.17g", value);
-  return digits;
-}
-
 using Vars = std::map<std::string, std::string>;
 
 Vars variables(const CollisionReference& collision, double dt, double time,
                const std::string& order) {
   const std::string steps = std::to_string(std::lround(time / dt));
-  return {{"dt", text(dt)},
+  return {{"dt", exact(dt)},
           {"steps", steps},
           {"every", steps},
           {"order", order},
-          {"k", text(collision.kn)},
-          {"kt", text(collision.kt)},
-          {"eta_n", text(collision.eta_n)},
-          {"eta_t", text(collision.eta_t)},
-          {"mu", text(collision.mu)},
-          {"speed", text(collision.speed)},
-          {"offset", text(collision.offset)},
-          {"spin", text(collision.spin)}};
+          {"k", exact(collision.kn)},
+          {"kt", exact(collision.kt)},
+          {"eta_n", exact(collision.eta_n)},
+          {"eta_t", exact(collision.eta_t)},
+          {"mu", exact(collision.mu)},
+          {"speed", exact(collision.speed)},
+          {"offset", exact(collision.offset)},
+          {"spin", exact(collision.spin)}};
 }
 
 Run run_deck(const Vars& vars) {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "deck.h"
 #include "liggghts_run.h"
 #include "campaigns/accuracy/accuracy.h"
-#include "reading/number_text.h"
 #include "table.h"
 
 using namespace rodpack::test;
@@ -37,8 +37,6 @@ rodpack::AccuracySummary measured(const std::string& scene, const std::string& m
 }
 
 using Vars = std::map<std::string, std::string>;
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 const char* with_events = "multisphere/ab order 3 planar yes events yes";
 const char* without_events = "multisphere/ab order 3 planar yes events no";

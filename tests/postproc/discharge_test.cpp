@@ -283,9 +283,10 @@ TEST(DischargeCommand, FitsRunsOfSeveralWidths) {
     return refused.output;
   };
   EXPECT_THAT(refusal("5 7 9 ./7"),
-              HasSubstr("./7: expected each run once, found the counts of 7\n"));
+              HasSubstr("./7: expected each run once, found that of 7 again\n"));
   std::filesystem::copy(folder / "7", folder / "copy");
-  EXPECT_THAT(refusal("5 7 9 copy"), HasSubstr("copy: expected each run once, found the counts"));
+  EXPECT_THAT(refusal("5 7 9 copy"),
+              HasSubstr("copy: expected each run once, found that of 7 again\n"));
   put(folder / "copy/parameters.json",
       "{\"orifice_width_m\": 8e-3, \"particle_diameter_m\": 1e-3, \"gravity_m_s2\": 10, "
       "\"friction\": 0.5}");

@@ -228,7 +228,7 @@ TEST(InclineCommand, MeasuresARunAndSaysWhatItIs) {
   EXPECT_THAT(profile.output, HasSubstr("Janssen fit: none where gravity is off -y"));
   const auto twice = test::run_rodpack("incline run ./run", folder);
   EXPECT_EQ(twice.exit_code, 1);
-  EXPECT_THAT(twice.output, HasSubstr("./run: expected each run once, found that of run\n"));
+  EXPECT_THAT(twice.output, HasSubstr("./run: expected each run once, found that of run again\n"));
   std::filesystem::copy(folder / "run", folder / "copy", std::filesystem::copy_options::recursive);
   const auto several = test::run_rodpack("incline run copy -o all --last 1", folder);
   EXPECT_EQ(several.exit_code, 0) << several.output;

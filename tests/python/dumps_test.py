@@ -237,7 +237,26 @@ class Refusals(FileTest):
         self.changed("ATOMS\n2\n", "ATOMS\n1\n", 11, "more rows than the frame's count states?")
         self.changed("ATOMS\n2\n", "ATOMS\n3\n", 11, "cut short", "expected 3 rows, found 2")
         self.refused(frame(1, "1 2\n", 2) + frame(2), 11, "too few rows: expected 2, found 1")
-        self.changed("ATOMS\n2\n", "ATOMS\n4000000000000\n", 11, "cut short")
+        self.changed("ATOMS\n2\n", "ATOMS\n62500000\n", 11, "cut short")
+
+    def refused_in_little_memory(self, packed, line, *words):
+        """`packed` holds over 50 MB of text, of which no more than a part is ever in memory."""
+        file = self.write("bomb.dump.gz", packed)
+        tracemalloc.start()
+        self.refuses(read_all, file, line, *words)
+        largest = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        self.assertLess(largest, 25e6)
+
+    def test_compressed_text_that_would_fill_the_memory(self):
+        self.changed("ATOMS\n2\n", "ATOMS\n62500001\n", 9,
+                     "at most 250000000 numbers, found one of 62500001 rows and 4 columns")
+        # 50 MB of line ends, and rows of a few numbers that are 100 kB long.
+        self.refused_in_little_memory(gzip.compress(frame(1, "", 60_000_000).encode() + b"\n" * 50_000_000), 10,
+                                      "expected 2 fields (id x), found 0")
+        rows = "".join(f"{k} 1{' ' * 99_990}\n" for k in range(600))
+        self.refused_in_little_memory(gzip.compress(frame(1, rows, 601).encode()), 609,
+                                      "expected 601 rows, found 600")
 
     def test_the_frame_before_surplus_rows_is_not_handed_out(self):
         with self.assertRaises(rodpack.FormatError):

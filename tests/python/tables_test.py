@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tables, JSON files and run folders; those of a study that is in the repository, and what is refused."""
 
+import gzip
 import tarfile
 import unittest
+import unittest.mock
 
 import numpy as np
 from support import REPOSITORY, FileTest, rodpack
@@ -51,6 +53,13 @@ class Tables(FileTest):
         self.refuses(lambda f: read_table(f)["sem"], file, 2, "column 'sem'", "found ''")
         file = self.write("a.csv", "case,sem\na,\nb,nan\nc,2\n")
         self.assert_equal(read_table(file).numbers("sem", missing=True), [np.nan, np.nan, 2])
+
+    def test_more_fields_than_memory_is_meant_for(self):
+        file = self.write("a.csv.gz", gzip.compress(b"x,y\n" + b"1,2\n" * 4))
+        with unittest.mock.patch("rodpack.tables.MOST_FIELDS", 8):
+            self.assertEqual(read_table(file).rows, 4)
+        with unittest.mock.patch("rodpack.tables.MOST_FIELDS", 7):
+            self.refuses(read_table, file, 5, "expected a table of at most 7 fields")
 
     def test_what_is_refused(self):
         def refused(content, line, *words):

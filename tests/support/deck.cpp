@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "deck.h"
 
+#include "reading/number_text.h"
+
 namespace rodpack::test {
+
+std::string exact(double value) { return number_text(value, 17); }
+
+std::string one_particle(const std::string& id, const std::array<double, 3>& centre,
+                         const std::string& motion, const std::string& of) {
+  std::string bounds;
+  for (const double low : centre) bounds += " " + exact(low) + " " + exact(low + 1e-15);
+  return "region at" + id + " block" + bounds + " units box volume_limit 1e-60\nfix put" + id +
+         " all insert/pack seed 32452843 distributiontemplate " + of + " insert_every once " +
+         motion + " overlapcheck no all_in no region at" + id + " particles_in_region 1\n";
+}
 
 Deck& Deck::box(const std::string& bounds) {
   box_ = bounds;

@@ -2,9 +2,19 @@
 #ifndef RODPACK_TESTS_DECK_H
 #define RODPACK_TESTS_DECK_H
 
+#include <array>
 #include <string>
 
 namespace rodpack::test {
+
+/// A number in a deck, to its last bit.
+std::string exact(double value);
+
+/// Lines that put one particle of the distribution template `of` into the deck in its first step,
+/// with the centre of mass at `centre`, m: LIGGGHTS draws it from a region of 1e-15 m. `motion`:
+/// "vel constant ...", "omega constant ...", "orientation constant ...", each if it is not 0.
+std::string one_particle(const std::string& id, const std::array<double, 3>& centre,
+                         const std::string& motion, const std::string& of = "mix");
 
 /// The text of a deck for run_liggghts(): what every deck begins with (SI units, spheres, a box,
 /// neighbour lists, the law of the contacts, the time step), then the lines of the test. Each

@@ -90,8 +90,9 @@ double number_or_nan(const rodpack::Table& table, std::size_t row, const std::st
   return number;
 }
 
-Table read_thermo(const std::string& output) {
+Table read_thermo(const std::string& output, int run) {
   std::istringstream lines(output);
+  std::vector<Table> tables;
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(lines, line);) {
@@ -99,12 +100,16 @@ Table read_thermo(const std::string& output) {
       const auto words = words_of(line);
       if (!words.empty() && words[0] == "Step") names = words;
     } else if (line.rfind("Loop time", 0) == 0) {
-      return Table("the thermo output", names, rows);
+      tables.emplace_back("the thermo output", std::exchange(names, {}), std::exchange(rows, {}));
     } else if (const auto row = numbers_of(line); row.size() == names.size()) {
       rows.push_back(row);
     }
   }
-  throw std::runtime_error("expected a thermo table, from 'Step' to 'Loop time', in:\n" + output);
+  const auto count = static_cast<int>(tables.size());
+  if (count == 0 || count <= run)
+    throw std::runtime_error("expected a thermo table, from 'Step' to 'Loop time', of run " +
+                             std::to_string(run) + " in:\n" + output);
+  return tables[static_cast<std::size_t>(run < 0 ? count - 1 : run)];
 }
 
 Table read_dump(const std::filesystem::path& file, int wanted) {

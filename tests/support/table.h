@@ -43,10 +43,10 @@ Table read_table(const std::filesystem::path& file);
 /// it is empty. Throws DataError naming file, line and field when it is neither that nor a number.
 double number_or_nan(const rodpack::Table& table, std::size_t row, const std::string& column);
 
-/// Reads the thermo table of the first run that `output` of LIGGGHTS tells of: the columns as its
-/// header names them ("Step", "Atoms", ...), a row for each line of as many numbers. Throws a
-/// std::runtime_error when there is none.
-Table read_thermo(const std::string& output);
+/// Reads the thermo table of run number `run` (0 the first, -1 the last) that `output` of LIGGGHTS
+/// tells of: the columns as its header names them ("Step", "Atoms", ...), a row for each line of as
+/// many numbers. Throws a std::runtime_error when there is none.
+Table read_thermo(const std::string& output, int run = 0);
 
 /// Reads frame number `frame` (0 the first, -1 the last) of a LIGGGHTS text dump with the
 /// post-processor's reader (reading/dump.h). Throws a std::runtime_error naming file and line.

@@ -182,6 +182,20 @@ TEST(Rooms, EveryPublicHeaderHasAUserOutsideTheCore) {
   for (const auto& header : sources_below(include)) EXPECT_EQ(used.count(header), 1u) << header;
 }
 
+TEST(Rooms, TheMapInTheReadmeNamesEveryRoom) {
+  std::string map;
+  for (const std::string& line : lines_of(repository / "README.md")) map += line + '\n';
+  int rooms = 0;
+  for (const char* top : {"inputs", "liggghts-src-ext", "postproc", "tests"})
+    for (const auto& entry : fs::directory_iterator(repository / top)) {
+      if (!entry.is_directory()) continue;
+      ++rooms;
+      const std::string name = entry.path().filename().string();
+      EXPECT_NE(map.find("`" + name + "/`"), std::string::npos) << top << '/' << name;
+    }
+  EXPECT_GT(rooms, 30);
+}
+
 // A folder has one theme, and can be taken in at a glance.
 TEST(Rooms, NoFolderHoldsMoreThan25Files) {
   std::map<fs::path, int> files;

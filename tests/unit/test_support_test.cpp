@@ -34,15 +34,21 @@ TEST(TestSupport, NamesTheMissingColumnAndTheBadLine) {
   EXPECT_THROW(read_table("no/such/file"), std::runtime_error);
 }
 
-// The second run's table, and lines between the rows that are none, are left out.
-TEST(TestSupport, ReadsTheThermoTableOfTheFirstRun) {
-  const Table thermo = read_thermo(
+// Lines between the rows that are none are left out, and so is a table that has no end.
+TEST(TestSupport, ReadsTheThermoTableOfTheWantedRun) {
+  const std::string output =
       "run 2\n  Step  Atoms lines \n 0 0 0 \nWARNING: 1 2 x\n 2 54 6e0 \n"
-      "Loop time of 1 on 1 procs\nStep Atoms lines\n3 0 0\nLoop time of 1 on 1 procs\n");
+      "Loop time of 1 on 1 procs\nStep ke\n3 7\nLoop time of 1 on 1 procs\nStep ke\n4 8\n";
+  const Table thermo = read_thermo(output);
   EXPECT_EQ(thermo.names(), (std::vector<std::string>{"Step", "Atoms", "lines"}));
   EXPECT_EQ(thermo.column("Step"), (Numbers{0, 2}));
   EXPECT_EQ(thermo.column("lines"), (Numbers{0, 6}));
-  EXPECT_THROW(read_thermo("Step Atoms\n1 2\n"), std::runtime_error);
+  for (const int second : {1, -1}) {
+    EXPECT_EQ(read_thermo(output, second).names(), (std::vector<std::string>{"Step", "ke"}));
+    EXPECT_EQ(read_thermo(output, second).column("ke"), Numbers{7});
+  }
+  EXPECT_THROW(read_thermo(output, 2), std::runtime_error);
+  EXPECT_THROW(read_thermo("Step Atoms\n1 2\n", -1), std::runtime_error);
 }
 
 TEST(TestSupport, ReadsTheWantedFrameOfADump) {

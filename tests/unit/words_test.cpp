@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -44,6 +46,24 @@ TEST(Words, NoTwoTypesDifferByAnS) {
   const auto types = types_below({"liggghts-src-ext", "postproc"});
   EXPECT_THAT(types, testing::IsSupersetOf({"PlanarScene", "Frame", "NormalHistory"}));
   for (const std::string& type : types) EXPECT_EQ(types.count(type + "s"), 0u) << type;
+}
+
+// Each set of SIMD instructions has a header of its own, one of which a source includes.
+TEST(Words, NoTwoHeadersDefineATypeOfTheSameName) {
+  const std::regex definition(
+      R"(^(class|struct|enum class|enum) (alignas\(\d+\) )?([A-Z]\w*)( final)?( :.*| \{.*)$)");
+  std::map<std::string, std::string> header_of;
+  for (const char* folder : {"liggghts-src-ext", "postproc"})
+    for (const auto& file : sources_below(folder)) {
+      if (file.extension() != ".h" || file.filename().string().rfind("lanes_", 0) == 0) continue;
+      for (const std::string& line : lines_of(file)) {
+        std::smatch found;
+        if (!std::regex_match(line, found, definition)) continue;
+        const auto other = header_of.emplace(found.str(3), file.string());
+        EXPECT_TRUE(other.second) << found.str(3) << ": " << other.first->second << ", " << file;
+      }
+    }
+  EXPECT_GT(header_of.size(), 200u);
 }
 
 TEST(Words, EveryTypeOfTheEngineStandsInTheGlossary) {

@@ -146,7 +146,7 @@ ContactEvents::Contact ContactEvents::as_if_in_contact(const ClosePair& pair) co
   if (!pair.is_wall) {
     contact.mj = atom->rmass[pair.j];
     contact.meff = rodpack::effective_mass(contact.mi, contact.mj);
-    // As PairGran has it: who is frozen, or moved as prescribed, is infinitely heavy.
+    // As PairGran has it: what is frozen, or moved as prescribed, is infinitely heavy.
     if (atom->mask[pair.i] & frozen_groups_) contact.meff = contact.mj;
     if (atom->mask[pair.j] & frozen_groups_) contact.meff = contact.mi;
     contact.omega_j = atom->omega[pair.j];

@@ -105,7 +105,7 @@ class Reports : public rodpack::ContactReports {
     return true;
   }
 
-  // Of the style that has begun.
+  // What is known of the style that has begun.
   std::vector<ContactRecord>* records_ = nullptr;
   const Atom* atom_ = nullptr;
   int spring_ = -1;
@@ -117,7 +117,7 @@ Reports& reports() {
   return one;
 }
 
-// From the start of the program on: `write_dump` makes its recorder after the run.
+// It is told from the start of the program on: `write_dump` makes its recorder after the run.
 const bool told = (rodpack::contact_reports() = &reports(), true);
 
 #else

@@ -27,7 +27,7 @@ class FixHalt : public Fix {
   double compute_scalar() { return halted_ ? 1.0 : 0.0; }
 
  private:
-  // In the order of the words that the command knows.
+  // They stand in the order of the words that the command knows.
   enum Operator { LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL };
   void read_keywords(class StyleArguments& arguments);
   bool holds(double left) const;

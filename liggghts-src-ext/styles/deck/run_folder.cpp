@@ -59,7 +59,7 @@ void RunFolder::command(int narg, char** arg) {
 std::string RunFolder::open(const std::string& folder,
                             const std::vector<std::string>& parts) const {
   std::string fault = make_folder(folder);
-  // As long as the ranks of a run that was killed may take to go.
+  // The ranks of a run that was killed may take as long to go.
   if (fault.empty()) fault = lock_folder(folder, 5.0);
   for (const std::string& part : parts) {
     std::string whole = folder;

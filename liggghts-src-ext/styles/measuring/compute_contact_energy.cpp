@@ -27,7 +27,7 @@ void ComputeContactEnergy::evaluate() {
   for (const ContactRecord& contact : recorder_.collect()) {
     if (!contact.primary) continue;
     own[0] += rodpack::elastic_energy(contact.kn, contact.overlap, contact.exponent);
-    own[1] += 0.5 * contact.kt * contact.spring * contact.spring;
+    own[1] += rodpack::elastic_energy(contact.kt, contact.spring, 1.0);
   }
   MPI_Allreduce(own, vector, 2, MPI_DOUBLE, MPI_SUM, world);
 }

@@ -95,7 +95,7 @@ void FixEnforce2DMultisphere::setup(int) {
   flatten_body_forces();
 }
 
-// Particles that were inserted in this step.
+// Particles that were inserted in this step may lie off the plane.
 void FixEnforce2DMultisphere::pre_exchange() {
   flatten_positions();
   flatten_velocities();

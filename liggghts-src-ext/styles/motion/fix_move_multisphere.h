@@ -37,7 +37,7 @@ class FixMoveMultisphere : public Fix {
   void write_restart(FILE*);
   void restart(char*);
 
-  // For fix multisphere/ab and the planar engine.
+  // What fix multisphere/ab and the planar engine ask for.
 
   /// Finds the bodies of the group; those that are new to it begin here and now. Collective.
   void take_bodies();

@@ -72,7 +72,7 @@ void FixMultisphereAB::set_free(const FixMoveMultisphere* mover) {
 
 void FixMultisphereAB::setup_pre_neighbor() {
   FixMultisphere::setup_pre_neighbor();
-  // Not where nothing has changed: the same velocities may differ by a rounding error.
+  // Velocities stay where nothing has changed: set anew they may differ by a rounding error.
   if (!spheres_lag_) return;
   spheres_lag_ = false;
   evflag = 0;

@@ -85,7 +85,7 @@ void PlanarContactTransfer::connect() {
   if (!has_known_models(pair_))
     refuse(lmp, std::string("pair_style gran has other models, expected ") + needed_models);
   values_ = pair_->dnum();
-  // Also those of totalForceCap, if it is on.
+  // The number of values counts those of totalForceCap too, if it is on.
   slots_ = (values_ - rodpack::stored_history_values(0)) / 3;
   has_total_cap_ = values_ != rodpack::stored_history_values(slots_);
   if (has_total_cap_)

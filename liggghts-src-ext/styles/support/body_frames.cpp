@@ -64,8 +64,8 @@ std::vector<BodyFrame> body_frames(LAMMPS* lmp, const ParticleIdentity& particle
   Multisphere& data = particles.bodies()->data();
   const int bodies = data.n_body();
   const double* const radius = data.extract_double_scalar("rod_radius");
-  // Of the spheres' centres about their mean; the rank that owns a body has all of its spheres,
-  // owned or as ghosts.
+  // The spread is that of the spheres' centres about their mean; the rank that owns a body has all
+  // of its spheres, owned or as ghosts.
   std::vector<Matrix> spread(bodies, Matrix{});
   std::vector<std::array<double, 4>> sums(bodies, std::array<double, 4>{});
   std::set<int> seen;  // across a periodic boundary a sphere is there twice

@@ -20,7 +20,7 @@ class FileDump : public Dump {
   bool ends_in(const std::string& ending) const;
   /// Stops the run unless its units are those of `names` ("keys") and the file can be made.
   void require_si_and_folder(const std::string& names);
-  /// Of this step.
+  /// The name of the file of this step.
   std::string file_name() const;
 
   // Dump::write's steps for lines per atom, of which there are none here.

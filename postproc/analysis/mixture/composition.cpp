@@ -136,9 +136,6 @@ void write_mixture_table(const Mixture& mixture, const std::vector<SpeciesMeasur
   if (!coordination.empty())
     for (const auto& each : mixture.species) head.push_back("touching_" + each.name);
   std::string text = csv_line(head) + "\n";
-  const auto known = [](const std::optional<double>& value) {
-    return value ? number_text(*value) : std::string();
-  };
   for (std::size_t kind = 0; kind < mixture.species.size(); ++kind) {
     const auto& species = mixture.species[kind];
     std::vector<std::string> row{species.name,
@@ -154,7 +151,7 @@ void write_mixture_table(const Mixture& mixture, const std::vector<SpeciesMeasur
       for (const auto& each :
            {std::optional(measure.number_share), std::optional(measure.solid_share), measure.order,
             measure.order_error, measure.director})
-        row.push_back(known(each));
+        row.push_back(csv_number(each));
     }
     if (!coordination.empty())
       for (const double each : coordination[kind]) row.push_back(number_text(each));

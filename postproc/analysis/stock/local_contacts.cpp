@@ -121,7 +121,7 @@ class SphereDump {
     }
   }
 
-  // From `b` to the image of `a` that is next to it.
+  // The vector from `b` to the image of `a` that is next to it.
   Vector3 nearest(const Vector3& a, const Vector3& b) const {
     auto way = sum(a, b, -1);
     for (std::size_t c = 0; c < 3; ++c) {

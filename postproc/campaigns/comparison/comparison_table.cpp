@@ -5,7 +5,7 @@
 #include "campaigns/comparison/comparison.h"
 #include "campaigns/launch/step_timing.h"
 #include "reading/angles.h"
-#include "reading/number_text.h"
+#include "reading/csv_file.h"
 #include "reading/text_file.h"
 
 namespace rodpack {
@@ -125,10 +125,6 @@ void add_times(RowCollector& rows, const StepTimes& times) {
   rows.add({"time_per_step_over_builtin_" + times.state, "1", 1.0, rodpack / builtin, {}, {}});
 }
 
-std::string field(const Value& value, int digits) {
-  return value ? number_text(*value, digits) : "";
-}
-
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size(), width), ' ');
   return text;
@@ -151,9 +147,9 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
 void write_comparison(const std::vector<ComparisonRow>& rows, const std::string& file) {
   std::string text = "quantity,unit,builtin,rodpack,builtin_sampled,exact\n";
   for (const auto& row : rows)
-    text += row.quantity + "," + row.unit + "," + field(row.builtin, 10) + "," +
-            field(row.rodpack, 10) + "," + field(row.sampled, 10) + "," + field(row.exact, 10) +
-            "\n";
+    text += row.quantity + "," + row.unit + "," + csv_number(row.builtin, 10) + "," +
+            csv_number(row.rodpack, 10) + "," + csv_number(row.sampled, 10) + "," +
+            csv_number(row.exact, 10) + "\n";
   write_text(file, text);
 }
 
@@ -166,9 +162,9 @@ std::string comparison_text(const std::vector<ComparisonRow>& rows) {
   };
   std::string text = line("quantity", "unit", {"builtin", "rodpack", "builtin_sampled", "exact"});
   for (const auto& row : rows)
-    text += line(
-        row.quantity, row.unit,
-        {field(row.builtin, 6), field(row.rodpack, 6), field(row.sampled, 6), field(row.exact, 6)});
+    text += line(row.quantity, row.unit,
+                 {csv_number(row.builtin, 6), csv_number(row.rodpack, 6),
+                  csv_number(row.sampled, 6), csv_number(row.exact, 6)});
   return text;
 }
 

@@ -43,7 +43,7 @@ Centreline centreline_of(int spheres, double half_length, double radius, double 
       shape_of_body(spheres, half_length / radius, 2 * radius, 2 * radius, curvature);
   const int count = 2 + static_cast<int>(std::ceil(curvature / (10 * degree) - 1e-9));
   Centreline line{centreline_points(shape, count), {}};
-  // From the middle of the centreline to the centre of mass.
+  // How far the centre of mass lies above the middle of the centreline.
   const double sunk =
       sphere_centres(shape).front()[1] - centreline_points(shape, sphere_count(shape)).front()[1];
   for (int k = 0; k < count; ++k) {
@@ -53,7 +53,7 @@ Centreline centreline_of(int spheres, double half_length, double radius, double 
   return line;
 }
 
-// From one pole to the other.
+// The rings lie from one pole to the other.
 std::vector<SurfaceRing> rings_of(const Centreline& line, double radius) {
   std::vector<SurfaceRing> rings;
   const auto add_cap_ring = [&](std::size_t at, int step, double side) {

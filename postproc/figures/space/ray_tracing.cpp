@@ -15,7 +15,7 @@ std::string vector_text(const SeenPlace& place) {
   return number_text(place[0], 9) + " " + number_text(place[1], 9) + " " + number_text(place[2], 9);
 }
 
-// Of a surface that takes the share `ambient` of its colour without any light.
+// The texture of a surface that takes the share `ambient` of its colour without any light.
 std::string texture(const std::string& colour, double ambient) {
   unsigned red = 0, green = 0, blue = 0;
   std::sscanf(colour.c_str(), "#%2x%2x%2x", &red, &green, &blue);

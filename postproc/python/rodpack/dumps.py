@@ -7,12 +7,13 @@ dump_contact_gran.md; all values are in SI units, angles in rad.
 
 import os
 import re
+import sys
 
 import numpy as np
 
 from .errors import FormatError, first_repeated, listed, no_such_column, printable, shortened
 from .named_arrays import NamedArrays
-from .text import Lines, number, whole_number
+from .text import MOST_NUMBERS, Lines, number, whole_number
 
 # Whole numbers up to here are read by way of a double to the last digit; no larger one becomes one of them.
 LARGEST_WHOLE = 2**53 - 1
@@ -21,6 +22,8 @@ LARGEST_WHOLE = 2**53 - 1
 WHOLE = {name: (0, LARGEST_WHOLE) for name in
          ("id", "type", "body", "body_i", "body_j", "sphere_i", "sphere_j")}
 WHOLE.update(nspheres=(1, 10**6), wall=(0, 1))
+
+_TEXT_AT_A_TIME = 2**23  # bytes of memory for the text of rows
 
 _FLAG = re.compile(r"[fpsm]{2}")
 
@@ -198,6 +201,9 @@ def _read_frame(lines, step, time):
     box, periodic = _read_box(lines)
     names = _read_names(lines)
     header = lines.number
+    if rows * len(names) > MOST_NUMBERS:
+        lines.fail(f"expected a frame of at most {MOST_NUMBERS} numbers, found one of {rows} rows and "
+                   f"{len(names)} columns")
     values = _read_rows(lines, names, rows)
     columns = {}
     for index, name in enumerate(names):
@@ -244,27 +250,42 @@ def _read_names(lines):
 
 
 def _read_rows(lines, names, count):
-    first = lines.number + 1
-    texts = []
-    while len(texts) < count:
+    parts, read = [np.empty((0, len(names)))], 0
+    while read < count:
+        first = lines.number + 1
+        texts = _read_texts(lines, count, read)
+        parts.append(_numbers(lines.file, first, names, texts))
+        read += len(texts)
+    return np.concatenate(parts)
+
+
+def _read_texts(lines, count, read):
+    """The next rows of `count`, of which `read` have been read: as many as make some text in memory, since
+    rows may be far longer than their numbers."""
+    texts, size = [], 0
+    while read + len(texts) < count and size < _TEXT_AT_A_TIME:
         line = lines.next()
         if line is None:
-            lines.fail(f"the frame is cut short here: expected {count} rows, found {len(texts)}")
+            lines.fail(f"the frame is cut short here: expected {count} rows, found {read + len(texts)}")
         if line.startswith("ITEM:"):
-            lines.fail(f"the frame has too few rows: expected {count}, found {len(texts)}")
+            lines.fail(f"the frame has too few rows: expected {count}, found {read + len(texts)}")
         lines.need_line_end()
         texts.append(line)
-    if not texts:
-        return np.empty((0, len(names)))
+        size += sys.getsizeof(line)
+    return texts
+
+
+def _numbers(file, first, names, texts):
+    """The numbers of rows, of which the first stands in line `first`."""
     # NumPy says neither line nor field of what it does not take, and takes "nan" and rows that are all short
     # alike: what is not plainly right is looked at again, word by word.
     try:
-        values = np.loadtxt(texts, comments=None, ndmin=2)
+        values = np.loadtxt(texts, comments=None, ndmin=2) if any(map(str.strip, texts)) else np.empty(0)
     except ValueError:
         values = np.empty(0)
-    if values.shape == (count, len(names)) and np.isfinite(values).all():
+    if values.shape == (len(texts), len(names)) and np.isfinite(values).all():
         return values
-    return np.array([_row(lines.file, first + index, names, text) for index, text in enumerate(texts)])
+    return np.array([_row(file, first + index, names, text) for index, text in enumerate(texts)])
 
 
 def _row(file, line, names, text):

@@ -10,7 +10,6 @@ import base64
 import binascii
 import math
 import re
-import sys
 import zlib
 from xml.etree import ElementTree
 
@@ -18,7 +17,7 @@ import numpy as np
 
 from .errors import FormatError, no_such_column, shortened
 from .named_arrays import NamedArrays
-from .text import number, open_regular, whole_number
+from .text import MOST_NUMBERS, number, open_regular, whole_number
 
 _TYPES = {"Float64": "f8", "Float32": "f4", "Int64": "i8", "Int32": "i4", "Int16": "i2", "Int8": "i1",
           "UInt64": "u8", "UInt32": "u4", "UInt16": "u2", "UInt8": "u1"}
@@ -191,6 +190,9 @@ class _Image:
         dtype = np.dtype(self.order + self.choice(element, "type", _TYPES))
         form = self.choice(element, "format", {each: each for each in ("ascii", "binary", "appended")})
         where = f"field '{shortened(name)}'"
+        if size > MOST_NUMBERS:
+            self.fail(f"{where}: expected at most {MOST_NUMBERS} numbers, one for each place and component, "
+                      f"found {size}")
         if form == "ascii":
             words = (element.text or "").split()
             found = [_value(word, dtype) for word in words]
@@ -248,7 +250,7 @@ class _Image:
             unpack = zlib.decompressobj()
             try:
                 # One byte more than is expected shows a block that is too long, whatever it would grow to.
-                part = unpack.decompress(data[at:at + length], min(expected + 1, sys.maxsize))
+                part = unpack.decompress(data[at:at + length], expected + 1)
             except zlib.error:
                 part = b""
             if len(part) != expected or not unpack.eof:

@@ -8,6 +8,9 @@ from .errors import FormatError, first_repeated, listed, no_such_column, shorten
 from .named_arrays import NamedArrays
 from .text import Lines, number
 
+# As words of Python, some 60 bytes each: 1.5 GB.
+MOST_FIELDS = 25_000_000
+
 
 class Table(NamedArrays):
     """A mapping from the names of the columns, units in them as in the file, to arrays of one value per row.
@@ -55,7 +58,8 @@ def read_table(file):
 
     The names stand in the last line that begins with '#' before the first row, or else in the first line;
     empty lines and later comments are passed over. FormatError, with the line: no names, one that comes
-    twice, a row with another number of fields, a last line without line end, what is not text.
+    twice, a row with another number of fields, a last line without line end, what is not text, more than
+    MOST_FIELDS fields.
     """
     names, header, comma = None, None, False
     comment = None  # the last one, and its line: prose, where another one follows
@@ -79,6 +83,8 @@ def read_table(file):
             if len(row) != len(names):
                 lines.fail(f"expected {len(names)} fields ({listed(names)}), found {len(row)}: "
                            f"'{shortened(text)}'")
+            if (len(fields) + 1) * len(names) > MOST_FIELDS:
+                lines.fail(f"expected a table of at most {MOST_FIELDS} fields, found more")
             numbers.append(lines.number)
             fields.append(row)
         if names is None:

@@ -10,6 +10,8 @@ from .errors import FormatError, shortened
 
 # Anything longer is no table of numbers, and would be held in memory as a whole.
 LONGEST_LINE = 1_000_000
+# A frame of a dump, a field of an image: 2 GB. A few kB of compressed text can hold any number of rows.
+MOST_NUMBERS = 250_000_000
 
 # Python's float() takes more: "nan", "1_000", other scripts' digits, blanks around.
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)

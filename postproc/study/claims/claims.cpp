@@ -22,10 +22,6 @@ void add_remark(Claim& claim, const std::string& remark) {
   claim.remark += (claim.remark.empty() ? "" : "; ") + remark;
 }
 
-std::string optional_text(const std::optional<double>& value) {
-  return value ? number_text(*value, 5) : "";
-}
-
 // Fields of a CSV table hold no commas and no line ends.
 std::string field(std::string text) {
   std::replace(text.begin(), text.end(), ',', ';');
@@ -121,8 +117,8 @@ void write_claims(const std::vector<Claim>& claims, const std::string& folder) {
   json["claims"] = nlohmann::ordered_json::array();
   for (const auto& claim : claims) {
     csv +=
-        csv_line({claim.name, field(claim.text), field(claim.measured), optional_text(claim.value),
-                  optional_text(claim.error), optional_text(claim.sigmas), words_of(claim.verdict),
+        csv_line({claim.name, field(claim.text), field(claim.measured), csv_number(claim.value, 5),
+                  csv_number(claim.error, 5), csv_number(claim.sigmas, 5), words_of(claim.verdict),
                   field(claim.test), field(claim.remark)}) +
         "\n";
     nlohmann::ordered_json row;

@@ -31,16 +31,11 @@ const double frequency = std::sqrt(9 * kn / mass);  // 1/s, without mass scaling
 
 Run rod_on_floor(int order, double eta, double timestep, const std::string& options,
                  Vars more = {}) {
-  const auto text = [](double value) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%.15g", value);
-    return std::string(buffer);
-  };
   more.insert({{"order", std::to_string(order)},
-               {"eta", text(eta)},
+               {"eta", exact(eta)},
                {"spheres", "9"},
                {"options", options},
-               {"timestep", text(timestep)}});
+               {"timestep", exact(timestep)}});
   auto run = run_liggghts("accuracy/in.stability", more);
   EXPECT_EQ(run.exit_code, 0) << run.output;
   return run;

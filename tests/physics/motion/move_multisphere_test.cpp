@@ -15,7 +15,6 @@
 
 #include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 #include "rodpack/contact/contact_law.h"
 #include "table.h"
 
@@ -26,8 +25,6 @@ namespace {
 
 const double diameter = 3e-3;    // m
 const double timestep = 1.1e-5;  // s
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 /// A body that is inserted in the first step, at rest but for a velocity along x. Bodies and their
 /// spheres are numbered as they are put.

@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace {
@@ -65,9 +66,7 @@ TEST(MultisphereAb, TendsToTheTrajectoryOfBuiltInMultisphere) {
   double distance[3];
   for (int i = 0; i < 3; ++i) {
     const int steps = 1000 << i;
-    char timestep[32];
-    std::snprintf(timestep, sizeof timestep, "%.17g", time / steps);
-    Vars vars = {{"timestep", timestep},
+    Vars vars = {{"timestep", exact(time / steps)},
                  {"steps", std::to_string(steps + 1)},
                  {"gravity", "0"},
                  {"damping", "0"},

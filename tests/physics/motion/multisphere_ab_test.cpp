@@ -9,18 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace {
 
 using namespace rodpack::test;
 using State = std::vector<double>;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
 
 std::string ab(int order, const std::string& rest = "") {
   return "multisphere/ab order " + std::to_string(order) + rest;
@@ -69,7 +64,7 @@ const double flight_time = 0.1;  // s
 
 Table fly(const std::string& integrator, int steps, std::map<std::string, std::string> vars = {}) {
   vars["integrator"] = integrator;
-  vars["timestep"] = number(flight_time / steps);
+  vars["timestep"] = exact(flight_time / steps);
   vars["steps"] = vars["every"] = std::to_string(steps + 1);  // born in step 1
   return last_state("free_flight", vars);
 }
@@ -93,7 +88,7 @@ TEST(MultisphereAb, FreeFallIsExactFromOrderTwoOn) {
 TEST(MultisphereAb, FreeRotationIsOfTheOrderAsked) {
   // deck: orientation (0.8, 0, 0.6, 0), so R = rotation about y by 2 atan(0.6/0.8); omega in space
   const double c = 0.28, s = 0.96, w[3] = {60, 9, -15};
-  const State exact =
+  const State solution =
       freely_rotating({0.8, 0, 0.6, 0}, {c * w[0] - s * w[2], w[1], s * w[0] + c * w[2]},
                       {1e-7, 2e-7, 4e-7}, flight_time);
   for (int order = 1; order <= 4; ++order) {
@@ -103,7 +98,7 @@ TEST(MultisphereAb, FreeRotationIsOfTheOrderAsked) {
       error[fine] = 0;
       for (int d = 0; d < 4; ++d) {
         const double q = state.column("c_q[" + std::to_string(d + 1) + "]")[0];
-        error[fine] += (q - exact[d]) * (q - exact[d]);
+        error[fine] += (q - solution[d]) * (q - solution[d]);
       }
       error[fine] = std::sqrt(error[fine]);
     }
@@ -159,7 +154,7 @@ TEST(MultisphereAb, BodyBornMidRunMovesLikeOneBornAtTheStart) {
   const Table early = fly(ab(3), 700, {{"timestep", "1e-4"}});
   const auto run = run_liggghts("verification/free_flight/in.free_flight",
                                 {{"integrator", ab(3)},
-                                 {"timestep", number(flight_time / 700)},
+                                 {"timestep", exact(flight_time / 700)},
                                  {"steps", "1001"},
                                  {"every", "1001"},
                                  {"second", "301"}});
@@ -178,7 +173,7 @@ TEST(MultisphereAb, BodyBornMidRunMovesLikeOneBornAtTheStart) {
 // y, vy, angle and omega of the rocking body; equations and numbers in the deck's header
 TEST(MultisphereAb, BodyInElasticContactIsOfTheOrderAsked) {
   const double m = 1e-3, moment = 2e-8, k = 1000, g = 981, r = 2e-3, arm = 4e-3, time = 1e-2;
-  const State exact =
+  const State solution =
       integrate({0.0016000003565837314, 0, 0, 50}, time, 20000, [&](const State& y) {
         const double left = k * (r - (y[0] - arm * std::sin(y[2])));
         const double right = k * (r - (y[0] + arm * std::sin(y[2])));
@@ -191,11 +186,11 @@ TEST(MultisphereAb, BodyInElasticContactIsOfTheOrderAsked) {
     for (int fine = 0; fine < 2; ++fine) {
       const int steps = 2000 * (fine + 1);
       const Table state = last_state("rocking_body", {{"integrator", ab(order, " planar yes")},
-                                                      {"timestep", number(time / steps)},
+                                                      {"timestep", exact(time / steps)},
                                                       {"steps", std::to_string(steps + 1)}});
       const double angle = 2 * std::atan2(state.column("c_q[4]")[0], state.column("c_q[1]")[0]);
-      error[fine] =
-          std::hypot((state.column("c_x[2]")[0] - exact[0]) / 1e-4, (angle - exact[2]) / 4e-2);
+      error[fine] = std::hypot((state.column("c_x[2]")[0] - solution[0]) / 1e-4,
+                               (angle - solution[2]) / 4e-2);
     }
     EXPECT_NEAR(observed_order(error[0], error[1]), order, 0.1)
         << "order " << order << ", errors " << error[0] << " " << error[1];

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
 
 namespace {
@@ -40,10 +41,8 @@ void expect_same(const Table& a, const Table& b, double relative) {
 }
 
 Table bounce(int order, int steps) {
-  char timestep[32];
-  std::snprintf(timestep, sizeof timestep, "%.17g", 2e-3 / steps);
   return end_of(run_liggghts(deck, {{"integrator", "nve/sphere/ab order " + std::to_string(order)},
-                                    {"timestep", timestep},
+                                    {"timestep", exact(2e-3 / steps)},
                                     {"steps", std::to_string(steps + 1)}}));
 }
 

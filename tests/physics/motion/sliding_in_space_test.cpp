@@ -9,14 +9,11 @@
 
 #include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 #include "table.h"
 
 using namespace rodpack::test;
 
 namespace {
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 /// A sphere lies on the floor y = 0, pressed in by m g_n / k_n, and slides along x while the
 /// gravity g_t pulls along z. Its surface's velocity u at the contact, at the angle psi to g_t, has
@@ -62,15 +59,8 @@ struct TurningSlide {
                 "aspect_ratio 1 diameter " +
                 exact(2 * radius) +
                 " surface smooth density constant 2500 planar no\n"
-                "fix mix all particledistribution/discrete 15485867 1 ball 1.0\n"
-                "region at block 0 1e-13 " +
-                exact(height) + " " + exact(height + 1e-15) +
-                " 0 1e-13 units box volume_limit 1e-60\n"
-                "fix put all insert/pack seed 32452843 distributiontemplate mix insert_every once "
-                "vel constant " +
-                exact(speed) +
-                " 0 0.01 omega constant 0 0 0 overlapcheck no all_in no region at "
-                "particles_in_region 1\n"
+                "fix mix all particledistribution/discrete 15485867 1 ball 1.0\n" +
+                one_particle("floor", {0, height, 0}, "vel constant " + exact(speed) + " 0 0.01") +
                 "fix motion all multisphere/ab order 3 planar no events yes\nrun 1\nrun " +
                 std::to_string(steps / 4) +
                 "\nwrite_dump all multisphere/body begin.dump modify format %.17g\nrun " +

@@ -14,7 +14,6 @@
 
 #include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 #include "rodpack/motion/stability_limit.h"
 #include "table.h"
 
@@ -23,8 +22,6 @@ using namespace rodpack::test;
 namespace {
 
 using Vars = std::map<std::string, std::string>;
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 const char* const bodies_in_space[] = {"vx", "vy", "vz", "omegax", "omegay", "omegaz"};
 
@@ -84,12 +81,7 @@ std::string crossed_rods(double dt, const std::string& after, const std::string&
                          const std::string& restart = "", const std::string& friction = "0.3",
                          const std::string& cap = "off") {
   const auto rod = [](int number, double x, double y, double z, const std::string& how) {
-    const std::string n = std::to_string(number);
-    const auto edge = [](double at) { return exact(at) + " " + exact(at + 1e-13); };
-    return "region at" + n + " block " + edge(x) + " " + edge(y) + " " + edge(z) +
-           " units box volume_limit 1e-45\nfix put" + n +
-           " all insert/pack seed 32452843 distributiontemplate mix insert_every once " + how +
-           " overlapcheck no all_in no region at" + n + " particles_in_region 1\n";
+    return one_particle(std::to_string(number), {x, y, z}, how);
   };
   std::string bodies;
   if (restart.empty()) {
@@ -250,8 +242,7 @@ struct RodAtRest {
     const double depth = 1e-4, radius = 1.5e-3;
     const double gravity = 9 * 1000 * depth / mass();
     const std::string up = floor_across_z ? "z" : "y";
-    const std::string height = exact(radius - depth) + " " + exact(radius - depth + 1e-13);
-    const std::string level = "0 1e-13";
+    const double height = radius - depth;
     // About the vertical by 60 degrees, so that the axis lies along none of the box.
     const std::string half = exact(std::cos(M_PI / 6)), other = exact(std::sin(M_PI / 6));
     const std::string turn = floor_across_z ? half + " 0 0 " + other : half + " 0 " + other + " 0";
@@ -272,13 +263,10 @@ struct RodAtRest {
                   up +
                   "plane 0\nfix body all particletemplate/multisphere/spherocylinder 1 atom_type 1 "
                   "type 1 aspect_ratio 5 diameter 0.003 surface smooth density constant 2500 "
-                  "planar no\nfix mix all particledistribution/discrete 15485867 1 body 1.0\n"
-                  "region birth block " +
-                  level + " " + (floor_across_z ? level + " " + height : height + " " + level) +
-                  " units box volume_limit 1e-45\nfix born all insert/pack seed 32452843 "
-                  "distributiontemplate mix insert_every once vel constant 0 0 0 omega constant " +
-                  omega + " orientation constant " + turn +
-                  " overlapcheck no all_in no region birth particles_in_region 1\n"
+                  "planar no\nfix mix all particledistribution/discrete 15485867 1 body 1.0\n" +
+                  one_particle("rest",
+                               {0, floor_across_z ? 0 : height, floor_across_z ? height : 0},
+                               "omega constant " + omega + " orientation constant " + turn) +
                   "fix motion all multisphere/ab order 3 events no\n"
                   "fix check all check/timestep/multisphere 20 warn 1e9 error no\n"
                   "compute ep all contact/energy\nthermo_style custom step f_check[1] "
@@ -286,8 +274,7 @@ struct RodAtRest {
                   "run 1\nrun " +
                   std::to_string(steps) + "\n"));
     if (finished.exit_code != 0) throw std::runtime_error(finished.output);
-    const auto at = finished.output.find("Step", finished.output.find("Step") + 1);
-    return read_thermo(finished.output.substr(at));
+    return read_thermo(finished.output, -1);
   }
   static double mass() { return 2500 * M_PI * std::pow(1.5e-3, 3) * (12 - 40.0 / 12); }
   /// Of rolling against the springs of friction of nine contacts: I = 2/5 m r^2, and the arm is

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 #include "stock_models.h"
 
 using namespace rodpack::test;
@@ -14,8 +14,6 @@ using namespace rodpack::test;
 namespace {
 
 constexpr double linear_stiffness = 1000;  // of hooke/stiffness, N/m
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 /// Overlap at which Hertz's force is `force`.
 double hertz_overlap(double force, double reduced_radius) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 #include "stock_models.h"
 
 using namespace rodpack::test;
@@ -18,8 +18,6 @@ namespace {
 
 constexpr double linear_stiffness = 1000, tangential_stiffness = 500;  // of */stiffness, N/m
 const double inertia = 0.4 * sphere_mass * sphere_radius * sphere_radius;
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 /// The deck with another value for all pairs of atom types.
 std::string with_property(std::string deck, const std::string& name, const std::string& value) {

@@ -10,7 +10,6 @@
 
 #include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 
 using namespace rodpack::test;
 
@@ -18,8 +17,6 @@ namespace {
 
 constexpr double dt = 1.1e-5;
 constexpr int spheres = 8;
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 /// Spheres of 3 mm, one above the other, that fly along x at `speed` towards partners at rest, or
 /// towards a wall, and touch at different moments of the time step; their speeds after the
@@ -33,12 +30,8 @@ fix ball all particletemplate/multisphere/spherocylinder 1 atom_type 1 type 1 &
 fix mix all particledistribution/discrete 15485867 1 ball 1.0
 )";
   const auto place = [&](const std::string& id, double x, double y, double v) {
-    lines += "region " + id + " block " + exact(x) + " " + exact(x + 1e-13) + " " + exact(y) + " " +
-             exact(y + 1e-13) + " 0 1e-13 units box volume_limit 1e-45\nfix " + id +
-             " all insert/pack seed 32452843 distributiontemplate mix insert_every once vel "
-             "constant " +
-             exact(v) + " 0 0 orientation constant 1 0 0 0 overlapcheck no all_in no region " + id +
-             " particles_in_region 1\n";
+    lines += one_particle(id, {x, y, 0},
+                          "vel constant " + exact(v) + " 0 0 orientation constant 1 0 0 0");
   };
   for (int k = 0; k < spheres; ++k) {
     // The gap closes after 3.06, 3.19, ... steps.

@@ -14,15 +14,12 @@
 
 #include "deck.h"
 #include "liggghts_run.h"
-#include "reading/number_text.h"
 
 using namespace rodpack::test;
 using testing::HasSubstr;
 using testing::Not;
 
 namespace {
-
-std::string exact(double value) { return rodpack::number_text(value, 17); }
 
 constexpr double radius = 2e-3, spacing = 3e-3;
 

@@ -23,17 +23,11 @@ std::string meeting(const std::string& motion, const std::string& lines, const s
                       : "multisphere/spherocylinder 1 atom_type 1 type 1 aspect_ratio 1 diameter "
                         "0.003 surface smooth density constant 2500 planar no\n") +
       "fix mix all particledistribution/discrete 15485867 1 ball 1.0\n";
-  const auto born = [](const std::string& id, const std::string& x, const std::string& velocity) {
-    return "region at" + id + " block " + x +
-           " 0 1e-13 0 1e-13 units box volume_limit 1e-45\nfix put" + id +
-           " all insert/pack seed 32452843 distributiontemplate mix insert_every once vel "
-           "constant " +
-           velocity + " omega constant 5 20 30 overlapcheck no all_in no region at" + id +
-           " particles_in_region 1\n";
+  const auto flying = [](const std::string& id, double x, const std::string& velocity) {
+    return one_particle(id, {x, 0, 0}, "vel constant " + velocity + " omega constant 5 20 30");
   };
   if (from.empty())
-    particles += born("1", "-2e-3 -1.9999999999e-3", "0.5 0 0.01") +
-                 born("2", "2e-3 2.0000000001e-3", "-0.5 0.02 0");
+    particles += flying("1", -2e-3, "0.5 0 0.01") + flying("2", 2e-3, "-0.5 0.02 0");
   const std::string wall =
       " all wall/gran model spring_dashpot tangential spring_dashpot primitive type 1 xplane ";
   return Deck()
@@ -55,8 +49,7 @@ long second_meeting(const std::string& motion) {
   const auto run = run_liggghts(meeting(
       motion, "thermo_style custom step c_ep[1]\nthermo_modify norm no\nthermo 1\nrun 4000", ""));
   if (run.exit_code != 0) throw std::runtime_error(run.output);
-  const auto at = run.output.find("Step", run.output.find("Step") + 1);
-  const Table thermo = read_thermo(run.output.substr(at));
+  const Table thermo = read_thermo(run.output, -1);
   const auto& energy = thermo.column("ep[1]");
   int times = 0;
   for (std::size_t row = 1; row < energy.size(); ++row)

@@ -105,6 +105,14 @@ TEST(DumpLimits, TimestepsAreExactAsDouble) {
   EXPECT_THAT(error_of("ITEM: TIMESTEP\n99999999999999999999\n", "x"), HasSubstr(":2: expected"));
 }
 
+TEST(DumpLimits, AFrameOfMoreNumbersThanMemoryIsMeantForIsRefusedBeforeItsRows) {
+  EXPECT_EQ(error_of(frame_head(1, 125000001, 0.3, 2, "id x") + "1 0\n", "x"),
+            ":9: expected a frame of at most 250000000 numbers, found one of 125000001 rows and 2 "
+            "columns");
+  EXPECT_THAT(error_of(frame_head(1, 125000000, 0.3, 2, "id x") + "1 0\n", "x"),
+              HasSubstr(":10: the frame is cut short here: expected 125000000 rows, found 1"));
+}
+
 TEST(DumpLimits, BytesThatAreNoTextAreRefused) {
   const std::string nul(1, '\0');
   EXPECT_EQ(error_of(frame_head(1, 2, 0.3, 2, "id x") + "1 0\n" + nul + "2 0\n", "x"),

@@ -53,8 +53,8 @@ double lucy_share(const AveragingKernel& kernel, double x, double y, const Recta
   return share;
 }
 
-// Of a Gaussian of two dimensions about a place `off` the middle of a disc: with x = R sin t the
-// strips of it, each an error function long.
+// Share in a disc of a Gaussian of two dimensions about a place `off` its middle: with x = R sin t
+// the sum over the disc's strips, each an error function long.
 double share_in_disc(double radius, double off, double scale) {
   const int steps = std::max(64, static_cast<int>(std::ceil(16 * radius / scale)));
   double sum = 0;
@@ -86,7 +86,7 @@ void divide_by(const CoarseGraining& averages, const Share& share_at, std::vecto
 
 constexpr double outside = -1;
 
-// Of places on a wall, m.
+// How far a place on a wall may lie beyond it by rounding, m.
 double rounding_of(const CoarseGraining& averages) { return 1e-9 * averages.kernel().scale(); }
 
 }  // namespace

@@ -73,7 +73,7 @@ ContactPairs sum_pairs(std::vector<SphereContact> contacts) {
       result.interactions.push_back(next);
     } else {
       add(same->force, next.force);
-      // About the first one's centre of mass, in whatever image the contact was listed.
+      // Both moments are about the same centre of mass, in whatever image the contact was listed.
       add(same->moment, next.moment);
     }
   }

@@ -96,7 +96,7 @@ class PlanarBlockPool {
   const PlanarBlockColdData& cold(int place) const { return cold_[place]; }
   /// The numbers of a block, from that of the first lane of the first row.
   const double* values(int place) const { return all_values_.data() + first_value(place); }
-  /// The same numbers, for who brings the contact of a lane to the present step.
+  /// The same numbers, for bringing the contact of a lane to the present step.
   double* mutable_values(int place) { return all_values_.data() + first_value(place); }
   /// Sets where the spheres that a block pairs lie in the frames of their bodies, among all spheres
   /// of body i and of body j, and the dashpots of their contacts.
@@ -164,7 +164,7 @@ class PlanarBlocks {
 
   const PlanarBlockPool& pairs() const { return pairs_; }
   const PlanarBlockPool& at_walls() const { return at_walls_; }
-  /// Blocks that who evaluates the contacts may change.
+  /// The same, for the evaluation of the contacts, which changes them.
   PlanarBlockPool& pairs() { return pairs_; }
   PlanarBlockPool& at_walls() { return at_walls_; }
   /// The pool of the blocks whose second body is j.

@@ -115,7 +115,7 @@ class PlanarBodyStates {
   AlignedVector<PlanarVector> inertia_;  // 1/mass, 1/mass, 1/moment (0 if prescribed), mass
   AlignedVector<PlanarVector> past_velocity_[max_multistep_order - 1];
   AlignedVector<PlanarVector> past_acceleration_[max_multistep_order - 1];
-  // With mass scaling alone: of a contact of each body, and the sum over its present ones.
+  // With mass scaling alone: the weight of a contact of each body, and the sum over its contacts.
   std::vector<ContactWeight> weights_;
   std::vector<double> weight_sums_;
   std::vector<std::int8_t> evaluations_;

@@ -14,10 +14,11 @@ void PlanarBodyStates::make_missed_motion(int body) {
   PlanarVector &displacement = missed_displacement_[body], &velocity = missed_velocity_[body];
   kinematics.x += displacement.d[0];
   kinematics.y += displacement.d[1];
-  const double c = std::cos(displacement.d[2]), s = std::sin(displacement.d[2]);
-  const double cosine = kinematics.cosine * c - kinematics.sine * s;
-  kinematics.sine = kinematics.sine * c + kinematics.cosine * s;
-  kinematics.cosine = cosine;
+  const Vector2<double> direction =
+      turned<double>(std::cos(displacement.d[2]), std::sin(displacement.d[2]),
+                     {kinematics.cosine, kinematics.sine});
+  kinematics.cosine = direction.x;
+  kinematics.sine = direction.y;
   for (int d = 0; d < 3; ++d) kinematics.velocity[d] += velocity.d[d];
   displacement = velocity = PlanarVector();
 }

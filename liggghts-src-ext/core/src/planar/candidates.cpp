@@ -4,21 +4,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rodpack/contact/contact_law.h"
+
 namespace rodpack {
 
 void find_candidates(const PlanarChain& of_i, const PlanarChain& of_j,
                      std::vector<PlanarCandidate>& candidates) {
   const PlanarReference &a = of_i.at, &b = of_j.at;
-  // The frame of j as seen from that of i, to bring spheres of i into the frame of j.
-  const double c = b.cosine * a.cosine + b.sine * a.sine;
-  const double s = b.cosine * a.sine - b.sine * a.cosine;
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  const double x0 = b.cosine * dx + b.sine * dy, y0 = b.cosine * dy - b.sine * dx;
+  // The x axis and the centre of i in the frame of j, to bring spheres of i there.
+  const auto seen_from_j = [&](double x, double y) {
+    return turned<double>(b.cosine, -b.sine, {x, y});
+  };
+  const Vector2<double> axis = seen_from_j(a.cosine, a.sine),
+                        centre = seen_from_j(a.x - b.x, a.y - b.y);
   const double touch = of_i.radius + of_j.radius, near_by = touch + a.skin + b.skin;
   const double around_j = b.reach - of_j.radius + near_by;
   for (int k = 0; k < of_i.count; ++k) {
     const PlanarSphere& i = of_i.spheres[k];
-    const double x = x0 + c * i.x - s * i.y, y = y0 + s * i.x + c * i.y;
+    const double x = centre.x + axis.x * i.x - axis.y * i.y;
+    const double y = centre.y + axis.y * i.x + axis.x * i.y;
     if (x * x + y * y > around_j * around_j) continue;
     for (int l = 0; l < of_j.count; ++l) {
       const PlanarSphere& j = of_j.spheres[l];

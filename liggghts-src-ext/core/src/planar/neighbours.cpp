@@ -34,9 +34,9 @@ PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarB
 void PlanarNeighbours::resize(int bodies) {
   references_.resize(bodies, PlanarReference());
   const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
-  PlanarReferenceLanes nobody = PlanarReferenceLanes();
-  std::fill_n(nobody.skin, body_lanes, std::numeric_limits<double>::infinity());
-  reference_lanes_.resize(registers, nobody);
+  PlanarReferenceLanes none = PlanarReferenceLanes();
+  std::fill_n(none.skin, body_lanes, std::numeric_limits<double>::infinity());
+  reference_lanes_.resize(registers, none);
   moved_.resize(registers * body_lanes);
   blocks_.resize(bodies);
 }

@@ -19,7 +19,7 @@ class PlanarGhosts;
 /// the same numbers in the same order, so that its history is the same on both.
 ///
 /// Ghosts are chosen by the box around the own bodies, widened by the reach of both bodies and by
-/// the distance that two of them may go meanwhile. When somebody has gone most of that distance,
+/// the distance that two of them may go meanwhile. When a body has gone most of that distance,
 /// all ranks choose anew. That is asked after as many steps as the fastest point of all bodies
 /// needs at least, at twice its speed.
 class PlanarHalo {

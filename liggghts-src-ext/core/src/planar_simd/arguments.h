@@ -92,6 +92,8 @@ static_assert(offsetof(PlanarWallLine, along_x) == 0 && offsetof(PlanarWallLine,
                   offsetof(PlanarWallLine, position) == 16 &&
                   offsetof(PlanarWallLine, free_side) == 24,
               "kernel_bodies.h reads walls as four doubles in this order");
+static_assert(offsetof(ContactWeight, base) == 0 && offsetof(ContactWeight, per_square) == 8,
+              "kernel.h reads weights as two doubles in this order");
 static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, alive) &&
                   offsetof(PlanarBlockHead, used) + 2 == offsetof(PlanarBlockHead, full_history) &&
                   offsetof(PlanarBlockHead, used) + 3 == offsetof(PlanarBlockHead, sliding),
@@ -121,7 +123,7 @@ struct PlanarAdvanceArguments {
   double velocity_weights[max_multistep_order];
   double force_weights[max_multistep_order + 2][max_multistep_order];  // by number of evaluations
   const PlanarReferenceLanes* references;
-  int steps_ahead;  // who is about to leave its skin in so many further steps is listed now
+  int steps_ahead;  // a body that will leave its skin in so many further steps is listed now
   double* moved;    // since the reference position, an upper bound, m; room for whole registers
   int* to_list;     // becomes the bodies to be listed anew; room for all
 };

@@ -109,10 +109,10 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
 
 /// Vectors from the centres of bodies to those of their spheres, at the offsets x and y in the
 /// frames of the bodies.
-inline Vector2<Lanes> arms_of(const double* x, const double* y, BlockConstants& frame) {
+inline Vector2<Lanes> arms_of(const double* x, const double* y, BlockConstants& body) {
   const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)};
   Lanes cosine, sine;
-  each_two(frame, body_turn, cosine, sine);
+  each_two(body, body_turn, cosine, sine);
   return turned(cosine, sine, offset);
 }
 
@@ -170,18 +170,18 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
                                                           const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
-  const double *frame_i[lane_blocks], *frame_j[lane_blocks];
+  const double *body_i[lane_blocks], *body_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    frame_i[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
-    frame_j[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].j]);
+    body_i[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
+    body_j[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].j]);
   }
-  const Vector2<Lanes> arm_i = arms_of(values + planar_xi, values + planar_yi, frame_i);
-  const Vector2<Lanes> arm_j = arms_of(values + planar_xj, values + planar_yj, frame_j);
+  const Vector2<Lanes> arm_i = arms_of(values + planar_xi, values + planar_yi, body_i);
+  const Vector2<Lanes> arm_j = arms_of(values + planar_xj, values + planar_yj, body_j);
   Lanes xi, yi, xj, yj, wi, wj, radius_i, radius_j;
-  each_two(frame_i, body_position, xi, yi);
-  each_two(frame_j, body_position, xj, yj);
-  each_two(frame_i, body_spin, wi, radius_i);
-  each_two(frame_j, body_spin, wj, radius_j);
+  each_two(body_i, body_position, xi, yi);
+  each_two(body_j, body_position, xj, yj);
+  each_two(body_i, body_spin, wi, radius_i);
+  each_two(body_j, body_spin, wj, radius_j);
   const Lanes dx = (xi - xj) + (arm_i.x - arm_j.x), dy = (yi - yj) + (arm_i.y - arm_j.y);
   const Lanes square = dx * dx + dy * dy, reach = radius_i + radius_j;
   const LaneFlags flags = flags_of(heads);
@@ -200,8 +200,8 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   motion.lever_i = lever_in_plane(arm_i, lever_length(radius_i, motion.overlap), motion.normal);
   motion.lever_j = lever_in_plane(arm_j, -lever_length(radius_j, motion.overlap), motion.normal);
   Lanes vxi, vyi, vxj, vyj;
-  each_two(frame_i, body_velocity, vxi, vyi);
-  each_two(frame_j, body_velocity, vxj, vyj);
+  each_two(body_i, body_velocity, vxi, vyi);
+  each_two(body_j, body_velocity, vxj, vyj);
   const Vector2<Lanes> of_centres = {vxi - vxj, vyi - vyj};
   set_velocities(motion,
                  velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j));

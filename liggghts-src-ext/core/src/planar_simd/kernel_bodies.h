@@ -7,15 +7,15 @@ template <class Load>
 inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
-  const double *frame[lane_blocks], *wall[lane_blocks];
+  const double *body[lane_blocks], *wall[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    frame[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
+    body[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
     wall[b] = reinterpret_cast<const double*>(&forces.walls[-1 - heads[b].j]);
   }
-  const Vector2<Lanes> arm = arms_of(values + planar_xi, values + planar_yi, frame);
+  const Vector2<Lanes> arm = arms_of(values + planar_xi, values + planar_yi, body);
   Lanes x, y, spin, radius, along_x, along_y, position, free_side;
-  each_two(frame, body_position, x, y);
-  each_two(frame, body_spin, spin, radius);
+  each_two(body, body_position, x, y);
+  each_two(body, body_spin, spin, radius);
   each_two(wall, wall_direction, along_x, along_y);
   each_two(wall, wall_position, position, free_side);
   const Lanes distance = (x + arm.x) * along_x + (y + arm.y) * along_y - position;
@@ -35,7 +35,7 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   motion.overlap = radius - distance * side;
   motion.lever_i = lever_in_plane(arm, lever_length(radius, motion.overlap), motion.normal);
   Lanes vx, vy;
-  each_two(frame, body_velocity, vx, vy);
+  each_two(body, body_velocity, vx, vy);
   const Vector2<Lanes> of_centre = {vx, vy};
   set_velocities(motion, velocity_at(of_centre, spin, motion.lever_i));
   int sliding = flags.sliding;
@@ -133,45 +133,45 @@ int advance(const PlanarAdvanceArguments& arguments) {
   for (int first = arguments.bodies.first; first < arguments.bodies.end; first += body_lanes) {
     // Bodies beyond the last repeat it.
     const int left = arguments.bodies.end - first, members = left < body_lanes ? left : body_lanes;
-    Lanes motion[body_lanes], ahead[body_lanes], place[body_lanes];
+    Lanes motion[body_lanes], ahead[body_lanes], pose[body_lanes];
     for (int k = 0; k < body_lanes; ++k) {
       motion[k] =
           k < members ? advance_velocity(arguments, first + k, ahead[k]) : motion[members - 1];
       if (k >= members) ahead[k] = ahead[members - 1];
-      place[k] = load_lanes(&arguments.kinematics[first + (k < members ? k : members - 1)].x);
+      pose[k] = load_lanes(&arguments.kinematics[first + (k < members ? k : members - 1)].x);
     }
     transpose_lanes(motion);
     transpose_lanes(ahead);
-    transpose_lanes(place);
-    const Lanes x = place[0] + arguments.dt * motion[0], y = place[1] + arguments.dt * motion[1];
+    transpose_lanes(pose);
+    const Lanes x = pose[0] + arguments.dt * motion[0], y = pose[1] + arguments.dt * motion[1];
     Lanes c, s;
     cosine_and_sine(arguments.dt * motion[2], c, s);
-    const Lanes cosine = place[2] * c - place[3] * s, sine = place[3] * c + place[2] * s;
+    const Lanes cosine = pose[2] * c - pose[3] * s, sine = pose[3] * c + pose[2] * s;
     // One Newton step for 1/sqrt: the square of the norm is 1 to a few rounding errors.
     const Lanes scale = all_lanes(1.5) - 0.5 * (cosine * cosine + sine * sine);
-    place[0] = x;
-    place[1] = y;
-    place[2] = cosine * scale;
-    place[3] = sine * scale;
+    pose[0] = x;
+    pose[1] = y;
+    pose[2] = cosine * scale;
+    pose[3] = sine * scale;
 
     const PlanarReferenceLanes& at = arguments.references[first / body_lanes];
     const Lanes rx = x - load_lanes(at.x), ry = y - load_lanes(at.y);
-    const Lanes tc = place[2] - load_lanes(at.cosine), ts = place[3] - load_lanes(at.sine);
+    const Lanes tc = pose[2] - load_lanes(at.cosine), ts = pose[3] - load_lanes(at.sine);
     const Lanes reach = load_lanes(at.reach);
-    const auto square_of_way = [&](Lanes x_way, Lanes y_way, Lanes cosine_way, Lanes sine_way) {
-      const Lanes turn = reach * reach * (cosine_way * cosine_way + sine_way * sine_way);
-      return 2.0 * (x_way * x_way + y_way * y_way + turn);  // |a| + |b| <= sqrt(2 (a^2 + b^2))
+    const auto square_of_bound = [&](Lanes dx, Lanes dy, Lanes dcosine, Lanes dsine) {
+      const Lanes turn = reach * reach * (dcosine * dcosine + dsine * dsine);
+      return 2.0 * (dx * dx + dy * dy + turn);  // |a| + |b| <= sqrt(2 (a^2 + b^2))
     };
-    const Lanes moved = lane_sqrt(square_of_way(rx, ry, tc, ts));
+    const Lanes moved = lane_sqrt(square_of_bound(rx, ry, tc, ts));
     store_lanes(arguments.moved + first, moved);
-    const Lanes will_move = square_of_way(rx + ahead[0], ry + ahead[1], tc - ahead[2] * place[3],
-                                          ts + ahead[2] * place[2]);
+    const Lanes will_move = square_of_bound(rx + ahead[0], ry + ahead[1], tc - ahead[2] * pose[3],
+                                            ts + ahead[2] * pose[2]);
     const Lanes skin = load_lanes(at.skin);
     const int far =
         lane_bits(lane_less(skin, moved)) | lane_bits(lane_less(skin * skin, will_move));
-    transpose_lanes(place);
+    transpose_lanes(pose);
     for (int k = 0; k < members; ++k) {
-      store_lanes(&arguments.kinematics[first + k].x, place[k]);
+      store_lanes(&arguments.kinematics[first + k].x, pose[k]);
       if (far & 1 << k) arguments.to_list[entries++] = first + k;
     }
   }

@@ -40,16 +40,16 @@ class SpatialFieldSample {
   ///   outside the container; TooFewParticles when there is no bed.
   void add(const SpatialPacking& packing, const Frame& bodies, const Frame* contacts);
 
-  /// Of the first frame. @throws TooFewParticles when no frame was added, like all below.
+  /// That of the first frame. @throws TooFewParticles when no frame was added, like all below.
   const SpatialPacking& packing() const;
   const CoarseGraining& averages() const;
   std::vector<Field> fields() const;
-  /// In the order of `slices`.
+  /// The fields in the slices, in the order of slices().
   std::vector<Section> sections() const;
   const std::vector<Slice>& slices() const { return slices_; }
   /// Whether they are none of middle_slices().
   bool slices_are_given() const { return slices_given_; }
-  /// In a cylinder.
+  /// Means over rings about the axis; none but in a cylinder.
   std::optional<Section> rings() const;
   Normalisation normalisation() const { return options_.normalisation; }
 

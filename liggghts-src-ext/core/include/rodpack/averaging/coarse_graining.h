@@ -60,9 +60,9 @@ struct CoarseGrainingOptions {
 /// 2010; walls: Weinhart et al., Granular Matter 14, 289, 2012), as sums over particles and over
 /// pairs of them. Two dimensions look at x and y alone. Compression counts positive:
 ///
-///   contact stress   sigma_ab = -sum f_a r_b int phi(r - r_i - s r_ij) ds   over pairs, r_ij = r_j
-///   - r_i,
-///                    f the force on i; at a wall r_j is the contact point
+///   contact stress   sigma_ab = -sum f_a r_b int phi(r - r_i - s r_ij) ds, f the force on i and
+///                    r_b a component of r_ij = r_j - r_i; at a wall r_j is the contact point
+///                    (sums are over pairs, integrals over s from 0 to 1)
 ///   kinetic stress   sum m v_a v_b phi - rho u_a u_b, that of the deviations from the velocity u
 ///   boundary force density  t = sum of wall forces on particles, each times phi(r - contact point)
 ///   couple stress    mu_ab = -sum r_b int [(c - x(s)) x f]_a phi(r - x(s)) ds, with c the contact

@@ -21,7 +21,7 @@ struct NetworkContact {
   double arm_i[3], arm_j[3];        // from the centre of mass to the contact point, m
   double stiffness_n, stiffness_t;  // along the normal and in the plane of contact, N/m
   double damping_n, damping_t;      // kg/s
-  // Against relative rotation about any axis, N m and N m s: rolling friction.
+  // Rolling friction: against relative rotation about any axis, N m and N m s.
   double stiffness_r, damping_r;
 };
 

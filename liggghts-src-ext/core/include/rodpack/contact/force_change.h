@@ -59,7 +59,7 @@ struct ChangeOf {
   }
 };
 
-/// Of a force or torque in space; of a force in the plane of x and y; of a torque about z.
+/// Changes of a force or torque in space, of a force in the plane of x and y, of a torque about z.
 typedef ChangeOf<3> ForceChange;
 typedef ChangeOf<2> PlanarForceChange;
 typedef ChangeOf<1> PlanarTorqueChange;
@@ -154,9 +154,9 @@ inline ChangeOf<count> components_of(const ForceChange& change, int first) {
   return part;
 }
 
-/// Of a force, what lies in the plane of x and y.
+/// The part of the change of a force that lies in the plane of x and y.
 inline PlanarForceChange in_plane(const ForceChange& force) { return components_of<2>(force, 0); }
-/// Of a torque, that about z.
+/// The part of the change of a torque that is about z.
 inline PlanarTorqueChange about_z(const ForceChange& torque) { return components_of<1>(torque, 2); }
 
 /// Time since a quantity that is `before` one step ago and `now` now was 0: of the line through

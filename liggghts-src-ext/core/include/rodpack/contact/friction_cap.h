@@ -53,8 +53,8 @@ struct ElasticCap {
   double rate(const Contact& contact, double) const {
     return coulomb_cap(friction, -contact.vn);
   }
-  /// Of the parabola that meets the cap and its rate now, and one step ago what the spring of a
-  /// slide carried: the cap.
+  /// That of the parabola that meets the cap and its rate now, and one step ago what the spring of
+  /// a slide carried: the cap.
   template <class Contact>
   double curvature(const Contact& contact, bool slid, double carried, double dt) const {
     return slid ? 2.0 * (carried - now(contact) + dt * rate(contact, dt)) / (dt * dt) : 0.0;
@@ -144,7 +144,8 @@ class TotalCap {
   double now(const Contact&) const {
     return coulomb_cap(friction, std::max(0.0, viscoelastic_));
   }
-  /// Of the parabola through its last three values, where there are three; else their difference.
+  /// That of the parabola through its last three values, where there are three; else their
+  /// difference.
   template <class Contact>
   double rate(const Contact& contact, double dt) const {
     return (now(contact) - coulomb_cap(friction, std::max(0.0, before_))) / dt +

@@ -85,7 +85,7 @@ double start_spring(const Contact& contact, double dt, double* spring) {
   }
   double velocity[3];
   for (int d = 0; d < 3; ++d) velocity[d] = contact.v_i[d] - contact.v_j[d];
-  // |delta - t velocity| = r_i + r_j
+  // The gap was closed the time t ago at which |delta - t velocity| = r_i + r_j.
   const double approach = dot(contact.delta, velocity);
   const double closed = contact.radsum * contact.radsum - contact.rsq;
   const double root = std::sqrt(approach * approach + dot(velocity, velocity) * closed);

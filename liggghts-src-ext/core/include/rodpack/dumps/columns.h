@@ -6,8 +6,7 @@
 
 /// What the text dumps of bodies, spheres and contacts hold: the styles write these columns, the
 /// post-processor reads them, liggghts-src-ext/doc explains them. Each dump has its columns by
-/// name, all of them in the order of the file, and a row of values in the same order. These are the
-/// formats that styles and post-processor share: so, of the whole core, this file names styles.
+/// name, all of them in the order of the file, and a row of values in the same order.
 namespace rodpack {
 
 /// One column: its name in the dump's header line, and the SI unit of its values, empty for a pure
@@ -18,7 +17,7 @@ struct DumpColumn {
   bool is_integer;
 };
 
-/// dump multisphere/body: one row per particle, body or plain sphere.
+/// The dump of bodies has one row per particle, body or plain sphere.
 namespace body_dump {
 
 constexpr DumpColumn id = {"id", "", true};
@@ -53,7 +52,7 @@ struct BodyRow {
 
 }  // namespace body_dump
 
-/// dump multisphere/sphere: one row per primary sphere.
+/// The dump of spheres has one row per primary sphere.
 namespace sphere_dump {
 
 constexpr DumpColumn id = {"id", "", true};
@@ -76,7 +75,7 @@ struct SphereRow {
 
 }  // namespace sphere_dump
 
-/// dump contact/gran: one row per contact, of two spheres or of a sphere i and a wall.
+/// The dump of contacts has one row per contact, of two spheres or of a sphere i and a wall.
 namespace contact_dump {
 
 constexpr DumpColumn body_i = {"body_i", "", true}, body_j = {"body_j", "", true};
