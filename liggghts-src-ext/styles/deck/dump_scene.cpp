@@ -56,7 +56,8 @@ void find_extent(TriMesh& mesh, MPI_Comm world, double (&low)[3], double (&high)
   }
 }
 
-std::string text_of(const WallShape& shape) {
+/// Members of the JSON object of a wall.
+std::string members_of(const WallShape& shape) {
   const std::string axis = "\"axis\": " + axis_name(shape.axis);
   if (shape.kind == WallShape::Kind::plane)
     return "\"kind\": \"plane\", " + axis + ", \"position_m\": " + json_number(shape.position) +
@@ -127,7 +128,7 @@ std::string DumpScene::walls() const {
       const WallShape shape = shape_of(*wall);
       entries.push_back(shape.kind == WallShape::Kind::none
                             ? meshes_of(*wall, begin)
-                            : begin + text_of(shape) + ", \"atom_type\": " +
+                            : begin + members_of(shape) + ", \"atom_type\": " +
                                   std::to_string(wall->atom_type_wall()) + "}");
       if (entries.back().empty()) entries.pop_back();
     } else if (std::strncmp(fix.style, "wall/", 5) == 0) {
