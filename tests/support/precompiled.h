@@ -2,8 +2,8 @@
 #ifndef RODPACK_PRECOMPILED_H
 #define RODPACK_PRECOMPILED_H
 
-// The headers that take the compiler longest, read once for all tests. Sources include what they use
-// nevertheless.
+// The headers that take the compiler longest, read once for all tests. Sources include what they
+// use nevertheless.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
