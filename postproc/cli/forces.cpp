@@ -27,7 +27,7 @@ namespace {
 struct ForcesArguments {
   Input input;
   std::vector<std::string> bodies;
-  std::vector<std::string> local_words, local_walls;  // of LIGGGHTS's own dump local
+  LocalContactOptions local;
   ContactForceOptions forces;
   std::string stem = "forces";
 };
@@ -81,16 +81,6 @@ std::string touching_by_kind(const Frame& contacts, const std::vector<std::strin
   }
 }
 
-// A frame of LIGGGHTS's own `dump local` as one of contacts.
-Frame contacts_of_stock(const Frame& pairs, const ForcesArguments& options) {
-  const auto spheres = frame_beside(pairs, find_dumps(options.bodies));
-  auto contacts = contacts_of_local_dump(pairs, options.local_words, spheres);
-  if (!options.local_walls.empty())
-    add_contacts_of_wall_dump(frame_beside(pairs, find_dumps(options.local_walls)),
-                              options.local_words, spheres, contacts);
-  return contacts;
-}
-
 // The axis that points up, where the contacts are to be measured in space.
 std::optional<std::size_t> vertical_in_space(const Input& input, const Frame& contacts,
                                              bool planar) {
@@ -135,10 +125,7 @@ void measure(const ForcesArguments& options) {
   else if (!not_planar.empty())
     std::cout << "the fabric is left out: no --vertical, dump scene or 'vertical_axis' in "
                  "parameters.json\n";
-  if (!options.local_words.empty())
-    std::cout << "LIGGGHTS's own compute evaluates forces anew after the step: tangential ones of "
-                 "contacts that slide are not those that acted, so that neither is their mobilised "
-                 "friction\n";
+  if (!options.local.words.empty()) std::cout << note_on_local_contacts(options.local) << '\n';
   std::cout << input.passed_over_line();
   if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
   if (not_planar.empty()) written += ", " + stem + "_chains.png .svg";
@@ -180,23 +167,7 @@ void add_forces(CLI::App& app) {
               "contact; a quoted wildcard is fine")
           ->check(existing_files())
           ->type_name("FILE");
-  auto* local =
-      command
-          ->add_option(
-              "--local", options->local_words,
-              "the dumps are LIGGGHTS's own dump local of compute pair/gran/local: the words "
-              "behind that compute, id and force among them; --bodies is then a dump custom "
-              "of the spheres, id type x y z radius id_multisphere")
-          ->check(one_of(local_contact_words()))
-          ->type_name("WORD...")
-          ->needs(bodies);
-  command
-      ->add_option("--local-walls", options->local_walls,
-                   "dump local of compute wall/gran/local with the same words, pos among them: the "
-                   "contacts with meshes")
-      ->check(existing_files())
-      ->type_name("FILE")
-      ->needs(local);
+  add_local_contacts(*command, options->local, "--bodies is then")->needs(bodies);
   command->add_option("--bin", options->forces.bin_width, "width of a bin, in mean forces")
       ->check(number(1e-3, 10))
       ->capture_default_str()
@@ -214,9 +185,10 @@ void add_forces(CLI::App& app) {
   add_output(*command, options->stem);
 
   command->callback([options] {
-    if (!options->local_words.empty())
+    if (!options->local.words.empty())
       options->input.convert = [&](const Frame& pairs) {
-        return contacts_of_stock(pairs, *options);
+        return read_local_contacts(pairs, options->local,
+                                   frame_beside(pairs, find_dumps(options->bodies)));
       };
     measure(*options);
   });

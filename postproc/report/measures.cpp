@@ -10,6 +10,7 @@
 #include "analysis/pressure_profile.h"
 #include "analysis/rdf.h"
 #include "analysis/solid_fraction.h"
+#include "analysis/stock/stock_dumps.h"
 #include "figures/energies_figure.h"
 #include "figures/field_maps.h"
 #include "figures/solid_fraction_figure.h"
@@ -117,6 +118,7 @@ void report_solid_fraction(const Packing& packing, const fs::path& out, Json& su
 }
 
 MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
+                                  const std::function<Frame(const Frame&)>& contacts_of,
                                   const std::string& parameters, std::optional<double> friction) {
   MeasuredContacts report;
   try {
@@ -128,6 +130,13 @@ MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
   try {
     auto& frame = report.frame;
     frame = frame_at(report.files, bodies.timestep);
+    if (contacts_of) frame = contacts_of(frame);
+    if (!frame.has("body_i")) {
+      report.note = why_no_contact_dump(frame);
+      report.files.clear();
+      frame = {};
+      return report;
+    }
     if (frame.rows > 0 && !frame.has("nx")) {
       report.note = frame.file + ":" + std::to_string(frame.header_line) +
                     ": no column 'nx', which dumps of earlier versions lack: forces are left out";

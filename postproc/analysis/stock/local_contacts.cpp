@@ -99,8 +99,8 @@ class SphereDump {
     if (!frame.has("radius") || frame.has("nspheres"))
       throw DataError(place_of(frame) +
                       "expected a dump of spheres that tells their bodies, beside one of contacts "
-                      "of LIGGGHTS's own; 'dump spheres all custom 10000 spheres.*.dump id type x "
-                      "y z radius id_multisphere' in the deck writes it");
+                      "of LIGGGHTS's own; 'dump bodies all custom 10000 bodies.*.dump id type x y "
+                      "z radius id_multisphere mass vx vy vz' in the deck writes it");
     const auto bodies = as_bodies(frame);
     const auto& body_id = bodies.column("id");
     const auto centre = vector_columns(bodies, {"x", "y", "z"});
@@ -184,6 +184,24 @@ void append(const ContactRow& row, Frame& contacts) {
 }
 
 }  // namespace
+
+Frame read_local_contacts(const Frame& pairs, const LocalContactOptions& options,
+                          const Frame& spheres) {
+  auto contacts = contacts_of_local_dump(pairs, options.words, spheres);
+  if (!options.wall_files.empty())
+    add_contacts_of_wall_dump(frame_beside(pairs, find_dumps(options.wall_files)), options.words,
+                              spheres, contacts);
+  return contacts;
+}
+
+std::string note_on_local_contacts(const LocalContactOptions& options) {
+  return "LIGGGHTS's own compute evaluates forces anew after the step: tangential ones of contacts "
+         "that slide are not those that acted, nor are their mobilised friction and their part of "
+         "the stress" +
+         std::string(options.wall_files.empty()
+                         ? "; contacts with walls are not among them: no --local-walls"
+                         : "; contacts with walls that are no meshes are not among them");
+}
 
 std::vector<std::string> local_contact_words() {
   std::vector<std::string> words;
