@@ -51,8 +51,8 @@ void add_analyse(CLI::App& app) {
   command
       ->add_option(
           "--friction", options->friction,
-          "friction coefficient mu [default: dump scene, else parameters.json; unknown: no "
-          "mobilised friction]")
+          "friction coefficient mu of all contacts [default: that of dump scene, of each contact's "
+          "two atom types, else parameters.json; unknown: no mobilised friction]")
       ->check(positive_number(1000))
       ->type_name("MU");
   add_local_contacts(*command, options->local, "those of the bodies are then");

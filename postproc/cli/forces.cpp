@@ -29,20 +29,34 @@ struct ForcesArguments {
   std::vector<std::string> bodies;
   LocalContactOptions local;
   ContactForceOptions forces;
+  std::optional<double> friction;
   std::string stem = "forces";
 };
 
-void report(const ContactForces& forces, const FrictionFound& mu, std::ostream& out) {
+void report_friction(const MobilisedFriction& friction, std::ostream& out) {
+  out << "mobilised friction: mean " << number_text(friction.mean, 4) << ", sliding "
+      << number_text(friction.sliding_fraction, 4)
+      << " of the contacts; mu = " << number_text(friction.lowest, 4);
+  if (friction.highest > friction.lowest) out << " to " << number_text(friction.highest, 4);
+  out << '\n';
+  for (const auto& pair : friction.by_type)
+    out << "  atom types " << pair.lower_type << " and " << pair.upper_type << ", mu "
+        << number_text(pair.coefficient, 4) << ": " << pair.contacts << " contacts, mean "
+        << number_text(pair.mean, 4) << ", sliding " << number_text(pair.sliding_fraction, 4)
+        << '\n';
+  if (friction.frictionless > 0)
+    out << "  left out: " << friction.frictionless << " contacts of friction 0\n";
+}
+
+void report(const ContactForces& forces, std::ostream& out) {
   out << forces.carrying << " contacts; left out: " << forces.not_carrying
       << " without normal force, " << forces.at_walls << " with walls\n"
       << "mean normal force " << number_text(forces.normal.mean, 4) << " N, tangential "
       << number_text(forces.tangential.mean, 4) << " N\n";
-  if (const auto& friction = forces.friction)
-    out << "mobilised friction: mean " << number_text(friction->mean, 4) << ", sliding "
-        << number_text(friction->sliding_fraction, 4)
-        << " of the contacts; mu = " << number_text(friction->coefficient, 4) << '\n';
+  if (forces.friction)
+    report_friction(*forces.friction, out);
   else
-    out << mu.missing << '\n';
+    out << forces.why_no_friction << '\n';
   const auto& coordination = forces.coordination;
   out << coordination.particles << " particles touch "
       << number_text(coordination.touching_particles, 4) << " others each, with "
@@ -96,8 +110,7 @@ void measure(const ForcesArguments& options) {
   std::vector<std::string> body_files;
   if (!options.bodies.empty()) body_files = find_dumps(options.bodies);
   auto settings = options.forces;
-  const auto friction = find_friction(input.last(), input.packing.parameters, settings.friction);
-  settings.friction = friction.coefficient;
+  settings.friction = find_friction(input.last(), input.packing.parameters, options.friction);
   ContactForceSample sample(settings);
   Frame last;
   input.for_frames([&](const Frame& frame) {
@@ -118,7 +131,7 @@ void measure(const ForcesArguments& options) {
   if (fabric) written += ", " + write_fabric(*fabric, stem + "_fabric");
   if (not_planar.empty()) draw_force_chains(last, packing, stem + "_chains");
   const auto kinds = touching_by_kind(last, body_files, stem, written);
-  report(forces, friction, std::cout);
+  report(forces, std::cout);
   std::cout << kinds;
   if (fabric)
     report_fabric(*fabric);
@@ -173,9 +186,9 @@ void add_forces(CLI::App& app) {
       ->capture_default_str()
       ->type_name("DF");
   command
-      ->add_option("--friction", options->forces.friction,
-                   "friction coefficient mu [default: the scene, parameters.json; unknown: no "
-                   "mobilised friction]")
+      ->add_option("--friction", options->friction,
+                   "friction coefficient mu of all contacts [default: the scene's, of each "
+                   "contact's two atom types, parameters.json; unknown: no mobilised friction]")
       ->check(positive_number(1000))
       ->type_name("MU");
   command->add_flag("--walls-too", options->forces.walls_too,

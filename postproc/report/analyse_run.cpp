@@ -47,7 +47,8 @@ void remove_own_outputs(const fs::path& out) {
   for (const std::string table :
        {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination",
         "fields", "fields_rings", "profile", "orientation_azimuth", "orientation_order",
-        "rdf_axial", "forces_fabric", "forces_fabric_order", "mixture", "rdf_partial"})
+        "rdf_axial", "forces_friction_types", "forces_fabric", "forces_fabric_order", "mixture",
+        "rdf_partial"})
     fs::remove(out / (table + ".csv"), ignored);
   for (const std::string figure : {"orientation",
                                    "orientation_polar",

@@ -143,9 +143,7 @@ MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
       return report;
     }
     ContactForceOptions options;
-    const auto mu = find_friction(frame, parameters, friction);
-    options.friction = mu.coefficient;
-    report.friction_note = mu.missing;
+    options.friction = find_friction(frame, parameters, friction);
     force_lines(frame);  // bad columns show before anything is written
     ContactForceSample sample(options);
     sample.add(frame, &bodies);
@@ -160,6 +158,23 @@ MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
   return report;
 }
 
+namespace {
+
+// Where coefficients differ, what each pair of atom types makes of its own.
+void put_friction_by_type(const MobilisedFriction& friction, Json& summary) {
+  for (const auto& pair : friction.by_type)
+    summary["friction_by_type"].push_back({{"types", {pair.lower_type, pair.upper_type}},
+                                           {"friction", pair.coefficient},
+                                           {"contacts", pair.contacts},
+                                           {"mobilised_friction_mean", pair.mean},
+                                           {"sliding_fraction", pair.sliding_fraction}});
+  if (friction.frictionless > 0)
+    summary["notes"].push_back("contacts: " + std::to_string(friction.frictionless) +
+                               " of friction 0 do not count for the mobilised friction");
+}
+
+}  // namespace
+
 void report_contacts(const MeasuredContacts& contacts, const fs::path& out, Json& summary) {
   if (!contacts.note.empty()) summary["notes"].push_back("contacts: " + contacts.note);
   if (!contacts.forces) return;
@@ -170,10 +185,11 @@ void report_contacts(const MeasuredContacts& contacts, const fs::path& out, Json
   if (forces.friction) {
     summary["mobilised_friction_mean"] = forces.friction->mean;
     summary["sliding_fraction"] = forces.friction->sliding_fraction;
+    put_friction_by_type(*forces.friction, summary);
   } else {
     summary["mobilised_friction_mean"] = nullptr;
     summary["sliding_fraction"] = nullptr;
-    summary["notes"].push_back("contacts: " + contacts.friction_note);
+    summary["notes"].push_back("contacts: " + forces.why_no_friction);
   }
   summary["coordination_number"] = forces.coordination.touching_particles;
   summary["contacts_per_particle"] = forces.coordination.contacts;

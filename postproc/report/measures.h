@@ -53,7 +53,6 @@ struct MeasuredContacts {
   std::vector<Vector3> normals;       // of the contacts that are measured
   std::vector<double> normal_forces;  // of the same, N
   std::string note;                   // why there are no forces
-  std::string friction_note;          // why there is no mobilised friction
 };
 /// Reads the contacts of the timestep of `bodies` and measures their forces. `contacts_of`: what
 /// makes them of LIGGGHTS's own dumps, if these are some. `parameters`: the run's parameters.json;

@@ -19,7 +19,8 @@ LARGEST_WHOLE = 2**53 - 1
 
 # Columns of whole numbers, lowest and highest value.
 WHOLE = {name: (0, LARGEST_WHOLE) for name in
-         ("id", "type", "body", "body_i", "body_j", "sphere_i", "sphere_j")}
+         ("id", "type", "body", "body_i", "body_j", "sphere_i", "sphere_j",
+          "type_i", "type_j")}
 WHOLE.update(nspheres=(1, 10**6), wall=(0, 1))
 
 _FLAG = re.compile(r"[fpsm]{2}")

@@ -210,8 +210,9 @@ TEST(LocalContacts, FollowTheWordsOfTheCompute) {
   ASSERT_EQ(contacts.rows, 2U);
   const auto row = [&](std::size_t k) {
     std::vector<double> values;
-    for (const char* name : {"body_i", "body_j", "sphere_i", "sphere_j", "wall", "x", "y", "fx",
-                             "bix", "biy", "bjx", "overlap_n", "nx", "ny", "nz"})
+    for (const char* name :
+         {"body_i", "body_j", "sphere_i", "sphere_j", "wall", "x", "y", "fx", "bix", "biy", "bjx",
+          "overlap_n", "nx", "ny", "nz", "type_i", "type_j"})
       values.push_back(contacts.column(name)[k]);
     return values;
   };
@@ -222,8 +223,10 @@ TEST(LocalContacts, FollowTheWordsOfTheCompute) {
     for (const double each : values) all.push_back(testing::DoubleNear(each, 1e-9));
     return testing::ElementsAreArray(all);
   };
-  EXPECT_THAT(row(0), near({1, 4, 2, 3, 0, 0.9925, 0.5, 5, 0.97, 0.5, 1.015, 0.001, -1, 0, 0}));
-  EXPECT_THAT(row(1), near({9, 4, 5, 4, 0, 0.025, 0.512, 0, 0.025, 0.524, 0.015, 0.002, 0, 1, 0}));
+  EXPECT_THAT(row(0),
+              near({1, 4, 2, 3, 0, 0.9925, 0.5, 5, 0.97, 0.5, 1.015, 0.001, -1, 0, 0, 3, 3}));
+  EXPECT_THAT(row(1),
+              near({9, 4, 5, 4, 0, 0.025, 0.512, 0, 0.025, 0.524, 0.015, 0.002, 0, 1, 0, 3, 3}));
   const auto refusal = [&](const Frame& frame,
                            const std::vector<std::string>& given) -> std::string {
     try {
@@ -267,8 +270,9 @@ TEST(LocalContacts, OfWallsPointToTheSphere) {
                             contacts);
   ASSERT_EQ(contacts.rows, 1U);
   const std::pair<const char*, double> expected[] = {
-      {"body_i", 1}, {"body_j", 0}, {"sphere_i", 1},       {"wall", 1},   {"y", 0.48725},
-      {"fy", 8},     {"ny", 1},     {"overlap_n", 0.0005}, {"bix", 0.31}, {"bjy", 0.48725}};
+      {"body_i", 1},  {"body_j", 0},    {"sphere_i", 1}, {"wall", 1},
+      {"y", 0.48725}, {"fy", 8},        {"ny", 1},       {"overlap_n", 0.0005},
+      {"bix", 0.31},  {"bjy", 0.48725}, {"type_i", 3},   {"type_j", 0}};
   for (const auto& [name, value] : expected)
     EXPECT_NEAR(contacts.column(name)[0], value, 1e-9) << name;
   EXPECT_THROW(add_contacts_of_wall_dump(none, {"id", "force"}, spheres, contacts), DataError);
