@@ -39,13 +39,21 @@ void expect_close(const std::string& stock, const std::string& ours, double slac
 // LIGGGHTS takes centres and masses of its bodies from random points.
 TEST(StockFields, StressAndProfileAreThoseOfOurDumps) {
   const auto folder = stock_heap("no_history");
+  const std::string scale = " --ar 2.34 --scale 0.0035 --vertical y";
+  const std::string stock_files = " spheres.dump --contacts pairs.dump " + stock_contacts;
   for (const std::string command : {"stress", "profile"}) {
-    const std::string scale = " --ar 2.34 --scale 0.0035 --vertical y -o ";
-    const auto ours = run_rodpack(command + " bodies.dump" + scale + "ours_" + command, folder);
+    const auto made = [&](const std::string& files, const std::string& name) {
+      auto words = command + files;
+      words += scale;
+      words += " -o ";
+      words += name;
+      words += "_";
+      words += command;
+      return run_rodpack(words, folder);
+    };
+    const auto ours = made(" bodies.dump", "ours");
     ASSERT_EQ(ours.exit_code, 0) << ours.output;
-    const auto stock = run_rodpack(command + " spheres.dump --contacts pairs.dump " +
-                                       stock_contacts + scale + "stock_" + command,
-                                   folder);
+    const auto stock = made(stock_files, "stock");
     ASSERT_EQ(stock.exit_code, 0) << stock.output;
     EXPECT_THAT(stock.output, HasSubstr("evaluates forces anew after the step"));
   }

@@ -132,10 +132,11 @@ TEST(FrictionByType, IsReadFromTheSceneByForcesAndAnalyse) {
   put(folder / "mine/scene.7.json", scene.dump());
   put(folder / "mine/contacts.7.dump", contacts_text(mixed));
   std::string bodies;
-  for (int id = 1; id <= 14; ++id)
+  for (int id = 1; id <= 14; ++id) {
+    const int pair = (id + 1) / 2;
     bodies += std::to_string(id) + " 1 1 " + (id % 2 == 1 ? "0.1 " : "0.103 ") +
-              std::to_string(5e-3 * ((id + 1) / 2)) +
-              " 0 0 0 0 0 0 0 0 1 0 0 0 1.5e-3 1.5e-3 0 7e-6 3e-5\n";
+              std::to_string(5e-3 * pair) + " 0 0 0 0 0 0 0 0 1 0 0 0 1.5e-3 1.5e-3 0 7e-6 3e-5\n";
+  }
   put(folder / "mine/bodies.7.dump",
       frame_head(7, 14, 0.3, 0.3,
                  "id type nspheres x y z angle vx vy vz omegax omegay omegaz qw qx qy qz "

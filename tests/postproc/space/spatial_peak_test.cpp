@@ -62,10 +62,9 @@ struct Pairs {
   std::mt19937 random{5};
   std::vector<Vector3> places, axes;
   void add(const SpatialConfiguration& pair) {
-    const auto n = places.size() / 2;
-    const Vector3 at{20.0 + 20 * static_cast<double>(n % 5),
-                     20.0 + 20 * static_cast<double>(n / 5 % 5),
-                     20.0 + 20 * static_cast<double>(n / 25)};
+    const auto n = places.size() / 2, layer = n / 25, row = n / 5 % 5;
+    const auto on_lattice = [](std::size_t k) { return 20.0 + 20 * static_cast<double>(k); };
+    const Vector3 at{on_lattice(n % 5), on_lattice(row), on_lattice(layer)};
     const auto turn = random_isometry(random);
     auto to = times(turn, pair.place), own = times(turn, Vector3{1, 0, 0}),
          other = times(turn, pair.axis);
