@@ -41,27 +41,6 @@ ForceDistribution distribution(const std::vector<double>& forces, double width, 
   return result;
 }
 
-MobilisedFriction mobilised_friction(const std::vector<double>& normal,
-                                     const std::vector<double>& tangential, double mu) {
-  constexpr std::size_t bins = 20;
-  constexpr double sliding = 0.999;
-  const double width = 1.0 / bins;
-  const double n = static_cast<double>(normal.size());
-  MobilisedFriction result;
-  result.coefficient = mu;
-  result.count.assign(bins, 0);
-  for (std::size_t i = 0; i < normal.size(); ++i) {
-    const double ratio = std::min(tangential[i] / (mu * normal[i]), 1.0);
-    result.mean += ratio / n;
-    if (ratio >= sliding) result.sliding_fraction += 1 / n;
-    result.count[std::min(bin_of(ratio, width), bins - 1)] += 1;
-  }
-  for (std::size_t k = 0; k < bins; ++k)
-    result.centre.push_back((static_cast<double>(k) + 0.5) * width);
-  normalise(result.count, n, width, result.density, result.standard_error);
-  return result;
-}
-
 double positive(double value, const std::string& what) {
   if (!(value > 0))
     throw DataError(what + ": expected a positive value, found " + number_text(value));
@@ -72,7 +51,11 @@ double positive(double value, const std::string& what) {
 
 ContactForceSample::ContactForceSample(const ContactForceOptions& options) : options_(options) {
   positive(options.bin_width, "width of the bins of the contact forces");
-  if (options.friction) positive(*options.friction, "friction coefficient");
+  for (const auto& row : options.friction.table)
+    for (const double each : row)
+      if (!(each >= 0))
+        throw DataError("friction coefficient: expected a value of at least 0, found " +
+                        number_text(each));
 }
 
 void ContactForceSample::add(const Frame& contacts, const Frame* bodies) {
@@ -117,6 +100,8 @@ void ContactForceSample::add_forces(const Frame& contacts) {
     normals_.push_back({(*n[0])[i] / length, (*n[1])[i] / length, (*n[2])[i] / length});
     // Without friction only rounding errors are left, whose distribution would mean nothing.
     tangential_.push_back(tangential > 1e-12 * normal ? tangential : 0);
+    if (const auto& table = options_.friction.table; !table.empty())
+      frictional_.push_back(frictional_contact(contacts, i, normal, tangential_.back(), table));
   }
 }
 
@@ -181,8 +166,12 @@ ContactForces ContactForceSample::result() const {
     result.force_over_mean.push_back((static_cast<double>(k) + 0.5) * width);
   result.normal = distribution(normal_, width, bins);
   result.tangential = distribution(tangential_, width, bins);
-  if (options_.friction)
-    result.friction = mobilised_friction(normal_, tangential_, *options_.friction);
+  result.friction = mobilised_friction(frictional_);
+  if (!result.friction)
+    result.why_no_friction = options_.friction.table.empty()
+                                 ? options_.friction.missing
+                                 : "the contacts that are measured have friction 0, so that the "
+                                   "mobilised friction is left out";
 
   auto& coordination = result.coordination;
   coordination.particles = particles_;
@@ -211,7 +200,7 @@ ContactForces measure_contact_forces(const Frame& contacts, const Frame* bodies,
   return sample.result();
 }
 
-void write_contact_force_tables(const ContactForces& forces, const std::string& stem) {
+std::string write_contact_force_tables(const ContactForces& forces, const std::string& stem) {
   write_csv(stem + ".csv", {{"f_over_mean", forces.force_over_mean},
                             {"normal_count", forces.normal.count},
                             {"normal_density", forces.normal.density},
@@ -219,16 +208,14 @@ void write_contact_force_tables(const ContactForces& forces, const std::string& 
                             {"tangential_count", forces.tangential.count},
                             {"tangential_density", forces.tangential.density},
                             {"tangential_standard_error", forces.tangential.standard_error}});
-  if (const auto& friction = forces.friction)
-    write_csv(stem + "_friction.csv", {{"mobilised_friction", friction->centre},
-                                       {"count", friction->count},
-                                       {"probability_density", friction->density},
-                                       {"standard_error", friction->standard_error}});
+  std::string of_types;
+  if (forces.friction) of_types = write_friction_tables(*forces.friction, stem + "_friction");
   const auto& coordination = forces.coordination;
   write_csv(stem + "_coordination.csv",
             {{"number", coordination.number},
              {"particles_with_touching_particles", coordination.with_touching_particles},
              {"particles_with_contacts", coordination.with_contacts}});
+  return of_types;
 }
 
 }  // namespace rodpack

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "analysis/mixture/mobilised_friction.h"
 #include "reading/checks/body_axes.h"
 #include "reading/dump.h"
 
 namespace rodpack {
 
 struct ContactForceOptions {
-  double bin_width = 0.25;         // of the force distributions, in mean forces
-  bool walls_too = false;          // contacts with walls count as well
-  std::optional<double> friction;  // coefficient mu; none: no mobilised friction
+  double bin_width = 0.25;  // of the force distributions, in mean forces
+  bool walls_too = false;   // contacts with walls count as well
+  FrictionFound friction;   // none: no mobilised friction
 };
 
 /// Distribution of one component of the force, scaled by its mean. One entry per bin.
@@ -23,18 +24,6 @@ struct ForceDistribution {
   double mean = 0;                     // N
   std::vector<double> count;           // contacts in the bin
   std::vector<double> density;         // of f / mean; integrates to 1, 0 if all forces are 0
-  std::vector<double> standard_error;  // binomial, of the density
-};
-
-/// f_t / (mu f_n), at most 1: the law caps the elastic part only, so that a dashpot may carry it
-/// beyond. One entry per bin, the last one with what slides.
-struct MobilisedFriction {
-  double coefficient = 0;  // mu
-  double mean = 0;
-  double sliding_fraction = 0;         // of the contacts, at least 0.999 mobilised
-  std::vector<double> centre;          // of the bins
-  std::vector<double> count;           // contacts in the bin
-  std::vector<double> density;         // integrates to 1
   std::vector<double> standard_error;  // binomial, of the density
 };
 
@@ -57,15 +46,16 @@ struct ContactForces {
   std::vector<double> force_over_mean;  // middle of the bin, common to both components
   ForceDistribution normal, tangential;
   std::optional<MobilisedFriction> friction;  // none without mu
+  std::string why_no_friction;
   Coordination coordination;
 };
 
 /// Collects the contacts of one or several frames of the contacts' dump (columns `body_i body_j
-/// wall fx fy fz nx ny nz`). f_n = f n is the normal force, f_t = |f - f_n n| the tangential one,
-/// both of single sphere contacts.
+/// wall fx fy fz nx ny nz`, and `type_i type_j` where these decide on friction). f_n = f n is the
+/// normal force, f_t = |f - f_n n| the tangential one, both of single sphere contacts.
 class ContactForceSample {
  public:
-  /// @throws DataError when the bin's width or the friction coefficient is not positive.
+  /// @throws DataError when the bin's width is not positive, or a friction coefficient negative.
   explicit ContactForceSample(const ContactForceOptions& options);
   /// `bodies`: the frame of the bodies' dump with all particles (column `id`), if there is one.
   /// @throws DataError when a column is missing, n is not a unit vector, `bodies` is of another
@@ -83,7 +73,8 @@ class ContactForceSample {
   void add_coordination(const Frame& contacts, const Frame* bodies);
 
   ContactForceOptions options_;
-  std::vector<double> normal_, tangential_;  // N, carrying contacts
+  std::vector<double> normal_, tangential_;    // N, carrying contacts
+  std::vector<FrictionalContact> frictional_;  // the same, where friction is known
   std::vector<Vector3> normals_;
   std::size_t not_carrying_ = 0, at_walls_ = 0;
   std::map<std::size_t, double> with_touching_, with_contacts_;  // particles by number
@@ -96,9 +87,10 @@ ContactForces measure_contact_forces(const Frame& contacts, const Frame* bodies,
                                      const ContactForceOptions& options);
 
 /// Writes CSV tables: `stem`.csv with the columns f_over_mean, then count, density and standard
-/// error of the normal and of the tangential force; `stem`_friction.csv if mu is known;
-/// `stem`_coordination.csv.
-void write_contact_force_tables(const ContactForces& forces, const std::string& stem);
+/// error of the normal and of the tangential force; `stem`_friction.csv if mu is known, and
+/// `stem`_friction_types.csv where it differs; `stem`_coordination.csv. Returns the name of the
+/// last but one, or nothing.
+std::string write_contact_force_tables(const ContactForces& forces, const std::string& stem);
 }  // namespace rodpack
 
 #endif

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "analysis/space/body_volumes.h"
+#include "analysis/stock/stock_dumps.h"
 #include "reading/angles.h"
 #include "reading/checks/contacts_of_bodies.h"
 #include "reading/checks/planar.h"
@@ -189,6 +190,7 @@ AveragedFrame averaged_frame(const Frame& bodies, const Frame* contacts, int dim
     require_contacts_of_bodies(*contacts, bodies);
     pairs = sum_pairs(read);
   }
+  require_motion(bodies);
   const auto extent = dimension == 2 ? bodies.column("area") : body_volumes(bodies);
   return {read_particles(bodies, extent, pairs.pairs), pairs.interactions};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "analysis/stock/stock_dumps.h"
 #include "cli/checks.h"
 #include "reading/number_text.h"
 #include "reading/parsing.h"
@@ -98,6 +99,7 @@ void add_contact_options(CLI::App& command, FieldInput& options) {
                   "with 'contacts' for 'bodies']")
       ->check(existing_files())
       ->type_name("FILE");
+  add_local_contacts(command, options.local, "those of the bodies are then");
   command
       .add_option("--line", options.fields.line,
                   "integral along a branch vector: auto, exact, or 1 to 4 Gauss-Legendre points")
@@ -143,6 +145,10 @@ std::vector<std::string> FieldInput::contact_files() const {
 
 Frame FieldInput::contacts_of(const Frame& bodies, const std::vector<std::string>& files) const {
   auto frame = frame_beside(bodies, files);
+  if (local.words.empty())
+    require_contact_dump(frame);
+  else
+    frame = read_local_contacts(frame, local, frame_beside(bodies, find_dumps(input.patterns)));
   if (frame.rows == 0 && !input.all_frames)
     throw DataError(frame.file + ": no contacts in the frame of timestep " +
                     std::to_string(frame.timestep) + ", there is no stress to measure");
@@ -173,6 +179,11 @@ void FieldInput::for_spatial_packings(bool with_contacts, const SpatialVisit& vi
   });
 }
 
+std::string FieldInput::notes_on_input() const {
+  return input.passed_over_line() +
+         (local.words.empty() ? "" : note_on_local_contacts(local) + "\n");
+}
+
 std::string solid_fraction_line(const VerticalProfile& profile) {
   const auto mean = mean_solid_fraction(profile);
   return "solid fraction, 3 w from floor and surface: " +
@@ -187,14 +198,14 @@ GriddedFields::GriddedFields(const FieldInput& options, bool with_contacts)
                          time = time_of(bodies, options.input.packing);
                          sample.add(each, bodies, contacts);
                        });
-  passed_over = options.input.passed_over_line();
+  notes = options.notes_on_input();
 }
 
 std::string GriddedFields::report() const {
   const Grid& grid = *sample.averages().grid();
   return describe(packing) + "\nw = " + number_text(sample.averages().kernel().scale(), 4) +
          " m, grid " + std::to_string(grid.count[0]) + " x " + std::to_string(grid.count[1]) +
-         "\n" + passed_over;
+         "\n" + notes;
 }
 
 SpatialFields::SpatialFields(const FieldInput& options, bool with_contacts)
@@ -204,7 +215,7 @@ SpatialFields::SpatialFields(const FieldInput& options, bool with_contacts)
         time = time_of(bodies, options.input.packing);
         sample.add(each, bodies, contacts);
       });
-  passed_over = options.input.passed_over_line();
+  notes = options.notes_on_input();
 }
 
 std::string SpatialFields::report() const {
@@ -220,7 +231,7 @@ std::string SpatialFields::report() const {
                          number_text(interior->deviation, 2) + " over " +
                          std::to_string(interior->places) + " places"
                    : std::string("none, the bed is too small")) +
-         "\n" + passed_over;
+         "\n" + notes;
 }
 
 }  // namespace rodpack::cli

@@ -18,6 +18,7 @@ namespace rodpack::cli {
 struct FieldInput {
   Input input;
   std::vector<std::string> contacts;
+  LocalContactOptions local;
   FieldOptions fields;
   std::vector<double> window;
   std::vector<std::string> slices;  // "y=0.018"
@@ -31,6 +32,8 @@ struct FieldInput {
   using SpatialVisit =
       std::function<void(const SpatialPacking&, const Frame& bodies, const Frame* contacts)>;
   void for_spatial_packings(bool with_contacts, const SpatialVisit& visit) const;
+  /// What the report says of what was read: frames that did not count, LIGGGHTS's own contacts.
+  std::string notes_on_input() const;
 
  private:
   std::vector<std::string> contact_files() const;
@@ -56,7 +59,7 @@ struct GriddedFields {
   double time = 0;  // of the last one, s, or its timestep
 
   GriddedFields(const FieldInput& options, bool with_contacts);
-  std::string passed_over;     // frames that did not count, as a line for the report
+  std::string notes;           // on the input, as lines for the report
   std::string report() const;  // packing, scale and grid, for the terminal
 };
 
@@ -66,7 +69,7 @@ struct SpatialFields {
   double time = 0;
 
   SpatialFields(const FieldInput& options, bool with_contacts);
-  std::string passed_over;
+  std::string notes;
   /// Packing, scale, grid, and the solid fraction that neither wall nor surface disturbs.
   std::string report() const;
 };

@@ -27,22 +27,36 @@ namespace {
 struct ForcesArguments {
   Input input;
   std::vector<std::string> bodies;
-  std::vector<std::string> local_words, local_walls;  // of LIGGGHTS's own dump local
+  LocalContactOptions local;
   ContactForceOptions forces;
+  std::optional<double> friction;
   std::string stem = "forces";
 };
 
-void report(const ContactForces& forces, const FrictionFound& mu, std::ostream& out) {
+void report_friction(const MobilisedFriction& friction, std::ostream& out) {
+  out << "mobilised friction: mean " << number_text(friction.mean, 4) << ", sliding "
+      << number_text(friction.sliding_fraction, 4)
+      << " of the contacts; mu = " << number_text(friction.lowest, 4);
+  if (friction.highest > friction.lowest) out << " to " << number_text(friction.highest, 4);
+  out << '\n';
+  for (const auto& pair : friction.by_type)
+    out << "  atom types " << pair.lower_type << " and " << pair.upper_type << ", mu "
+        << number_text(pair.coefficient, 4) << ": " << pair.contacts << " contacts, mean "
+        << number_text(pair.mean, 4) << ", sliding " << number_text(pair.sliding_fraction, 4)
+        << '\n';
+  if (friction.frictionless > 0)
+    out << "  left out: " << friction.frictionless << " contacts of friction 0\n";
+}
+
+void report(const ContactForces& forces, std::ostream& out) {
   out << forces.carrying << " contacts; left out: " << forces.not_carrying
       << " without normal force, " << forces.at_walls << " with walls\n"
       << "mean normal force " << number_text(forces.normal.mean, 4) << " N, tangential "
       << number_text(forces.tangential.mean, 4) << " N\n";
-  if (const auto& friction = forces.friction)
-    out << "mobilised friction: mean " << number_text(friction->mean, 4) << ", sliding "
-        << number_text(friction->sliding_fraction, 4)
-        << " of the contacts; mu = " << number_text(friction->coefficient, 4) << '\n';
+  if (forces.friction)
+    report_friction(*forces.friction, out);
   else
-    out << mu.missing << '\n';
+    out << forces.why_no_friction << '\n';
   const auto& coordination = forces.coordination;
   out << coordination.particles << " particles touch "
       << number_text(coordination.touching_particles, 4) << " others each, with "
@@ -81,16 +95,6 @@ std::string touching_by_kind(const Frame& contacts, const std::vector<std::strin
   }
 }
 
-// A frame of LIGGGHTS's own `dump local` as one of contacts.
-Frame contacts_of_stock(const Frame& pairs, const ForcesArguments& options) {
-  const auto spheres = frame_beside(pairs, find_dumps(options.bodies));
-  auto contacts = contacts_of_local_dump(pairs, options.local_words, spheres);
-  if (!options.local_walls.empty())
-    add_contacts_of_wall_dump(frame_beside(pairs, find_dumps(options.local_walls)),
-                              options.local_words, spheres, contacts);
-  return contacts;
-}
-
 // The axis that points up, where the contacts are to be measured in space.
 std::optional<std::size_t> vertical_in_space(const Input& input, const Frame& contacts,
                                              bool planar) {
@@ -106,8 +110,7 @@ void measure(const ForcesArguments& options) {
   std::vector<std::string> body_files;
   if (!options.bodies.empty()) body_files = find_dumps(options.bodies);
   auto settings = options.forces;
-  const auto friction = find_friction(input.last(), input.packing.parameters, settings.friction);
-  settings.friction = friction.coefficient;
+  settings.friction = find_friction(input.last(), input.packing.parameters, options.friction);
   ContactForceSample sample(settings);
   Frame last;
   input.for_frames([&](const Frame& frame) {
@@ -128,17 +131,14 @@ void measure(const ForcesArguments& options) {
   if (fabric) written += ", " + write_fabric(*fabric, stem + "_fabric");
   if (not_planar.empty()) draw_force_chains(last, packing, stem + "_chains");
   const auto kinds = touching_by_kind(last, body_files, stem, written);
-  report(forces, friction, std::cout);
+  report(forces, std::cout);
   std::cout << kinds;
   if (fabric)
     report_fabric(*fabric);
   else if (!not_planar.empty())
     std::cout << "the fabric is left out: no --vertical, dump scene or 'vertical_axis' in "
                  "parameters.json\n";
-  if (!options.local_words.empty())
-    std::cout << "LIGGGHTS's own compute evaluates forces anew after the step: tangential ones of "
-                 "contacts that slide are not those that acted, so that neither is their mobilised "
-                 "friction\n";
+  if (!options.local.words.empty()) std::cout << note_on_local_contacts(options.local) << '\n';
   std::cout << input.passed_over_line();
   if (!not_planar.empty()) std::cout << "no picture of the chains: " << not_planar << '\n';
   if (not_planar.empty()) written += ", " + stem + "_chains.png .svg";
@@ -180,31 +180,15 @@ void add_forces(CLI::App& app) {
               "contact; a quoted wildcard is fine")
           ->check(existing_files())
           ->type_name("FILE");
-  auto* local =
-      command
-          ->add_option(
-              "--local", options->local_words,
-              "the dumps are LIGGGHTS's own dump local of compute pair/gran/local: the words "
-              "behind that compute, id and force among them; --bodies is then a dump custom "
-              "of the spheres, id type x y z radius id_multisphere")
-          ->check(one_of(local_contact_words()))
-          ->type_name("WORD...")
-          ->needs(bodies);
-  command
-      ->add_option("--local-walls", options->local_walls,
-                   "dump local of compute wall/gran/local with the same words, pos among them: the "
-                   "contacts with meshes")
-      ->check(existing_files())
-      ->type_name("FILE")
-      ->needs(local);
+  add_local_contacts(*command, options->local, "--bodies is then")->needs(bodies);
   command->add_option("--bin", options->forces.bin_width, "width of a bin, in mean forces")
       ->check(number(1e-3, 10))
       ->capture_default_str()
       ->type_name("DF");
   command
-      ->add_option("--friction", options->forces.friction,
-                   "friction coefficient mu [default: the scene, parameters.json; unknown: no "
-                   "mobilised friction]")
+      ->add_option("--friction", options->friction,
+                   "friction coefficient mu of all contacts [default: the scene's, of each "
+                   "contact's two atom types, parameters.json; unknown: no mobilised friction]")
       ->check(positive_number(1000))
       ->type_name("MU");
   command->add_flag("--walls-too", options->forces.walls_too,
@@ -214,9 +198,10 @@ void add_forces(CLI::App& app) {
   add_output(*command, options->stem);
 
   command->callback([options] {
-    if (!options->local_words.empty())
+    if (!options->local.words.empty())
       options->input.convert = [&](const Frame& pairs) {
-        return contacts_of_stock(pairs, *options);
+        return read_local_contacts(pairs, options->local,
+                                   frame_beside(pairs, find_dumps(options->bodies)));
       };
     measure(*options);
   });

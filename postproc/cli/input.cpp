@@ -134,6 +134,28 @@ void add_space_options(CLI::App& command, Input& input) {
       ->type_name("A B RADIUS");
 }
 
+CLI::Option* add_local_contacts(CLI::App& command, LocalContactOptions& local,
+                                const std::string& spheres) {
+  auto* words =
+      command
+          .add_option("--local", local.words,
+                      "the contacts' dumps are LIGGGHTS's own dump local of compute "
+                      "pair/gran/local: the words behind that compute, id and force among them; " +
+                          spheres +
+                          " a dump custom of the spheres, id type x y z radius "
+                          "id_multisphere")
+          ->check(one_of(local_contact_words()))
+          ->type_name("WORD...");
+  command
+      .add_option("--local-walls", local.wall_files,
+                  "dump local of compute wall/gran/local with the same words, pos among them: the "
+                  "contacts with meshes")
+      ->check(existing_files())
+      ->type_name("FILE")
+      ->needs(words);
+  return words;
+}
+
 void add_output(CLI::App& command, std::string& stem) {
   command.add_option("-o,--output", stem, "start of the names of the files to write")
       ->check(stem_of_files())

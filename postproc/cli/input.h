@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/stock/local_contacts.h"
 #include "reading/dump.h"
 #include "reading/packing.h"
 #include "reading/space/spatial_packing.h"
@@ -53,6 +54,10 @@ void add_packing_options(CLI::App& command, Input& input);
 void add_vertical(CLI::App& command, Input& input);
 /// The same with --container and --cylinder.
 void add_space_options(CLI::App& command, Input& input);
+/// Adds --local and --local-walls, for what measures contacts, and returns the former. `spheres`:
+/// where the dump of spheres comes from that they need, for the help.
+CLI::Option* add_local_contacts(CLI::App& command, LocalContactOptions& local,
+                                const std::string& spheres);
 /// Adds --output, the start of the names of the files to write.
 void add_output(CLI::App& command, std::string& stem);
 

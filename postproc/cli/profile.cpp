@@ -40,7 +40,7 @@ void profile_in_plane(const FieldInput& options) {
   const auto [fit, report] = fitted(profile, "N/m");
   const auto written = write_profile(profile, fit ? &*fit : nullptr, options.stem);
   std::cout << setting << '\n'
-            << options.input.passed_over_line() << "w = " << number_text(profile.scale, 4) << " m\n"
+            << options.notes_on_input() << "w = " << number_text(profile.scale, 4) << " m\n"
             << report << '\n'
             << "written: " << written << '\n';
 }
@@ -59,7 +59,7 @@ void profile_in_space(const FieldInput& options) {
   const auto solid_fraction = options.stem + "_solid_fraction";
   plot_layers(profile, solid_fraction);
   std::cout << setting << '\n'
-            << options.input.passed_over_line() << "w = " << number_text(profile.scale, 4)
+            << options.notes_on_input() << "w = " << number_text(profile.scale, 4)
             << " m, cross-section " << number_text(profile.cross_section, 4) << " m^2\n"
             << solid_fraction_line(profile) << "vertical stress: " << report << '\n'
             << "written: " << written << ", " << solid_fraction << ".png .svg\n";

@@ -8,6 +8,7 @@
 
 #include "analysis/pairs/peak_configurations.h"
 #include "analysis/space/axial_rdf.h"
+#include "analysis/space/pairs/spatial_peak.h"
 #include "analysis/space/spatial_rdf.h"
 
 #include "cli/checks.h"
@@ -30,10 +31,13 @@ struct RdfCommand {
   std::string stem = "rdf";
 };
 
-PeakExplanation explain_peak(const RdfCommand& options, const Rdf& rdf) {
-  PeakSample sample(options.rdf, find_rdf_peak(rdf, *options.explain, options.explain_width));
-  options.input.for_frames(
-      [&](const Frame& frame) { sample.add(frame, read_packing(frame, options.input.packing)); });
+// Of the frames by PeakSample or SpatialPeakSample; `read`: makes its packing of a frame.
+template <class Sample, class Read>
+std::optional<PeakExplanation> explain_peak(const RdfCommand& options, const Rdf& rdf,
+                                            const Read& read) {
+  if (!options.explain) return std::nullopt;
+  Sample sample(options.rdf, find_rdf_peak(rdf, *options.explain, options.explain_width));
+  options.input.for_frames([&](const Frame& frame) { sample.add(frame, read(frame)); });
   return sample.result();
 }
 
@@ -134,23 +138,21 @@ std::string largest_distances(const Rdf& rdf) {
 }
 
 void rdf_in_space(const RdfCommand& options) {
-  if (options.explain)
-    throw CLI::ValidationError(
-        "--explain",
-        "expected in a scene in a plane, where three numbers say how a pair of rods lies (along, "
-        "across, angle); in space it takes four or more, and the pairs of a peak are too few to "
-        "part them: --axial R shows where neighbours lie");
   SpatialRdfSample sample(options.rdf);
   std::optional<AxialRdfSample> axial_sample;
   if (options.axial) axial_sample.emplace(options.along_across);
   SpatialPacking last_packing;
+  const auto read = [&](const Frame& frame) {
+    return read_spatial_packing(frame, options.input.packing, options.input.space);
+  };
   const Frame& last = options.input.for_frames([&](const Frame& frame) {
-    auto packing = read_spatial_packing(frame, options.input.packing, options.input.space);
+    auto packing = read(frame);
     sample.add(packing);
     if (axial_sample) axial_sample->add(packing);
     last_packing = std::move(packing);
   });
   const auto rdf = sample.result();
+  const auto explanation = explain_peak<SpatialPeakSample>(options, rdf, read);
   auto written = write_rdf(rdf, options.stem);
   const auto kinds = by_kind(last, last_packing, options, written);
   std::cout << describe(last_packing) << '\n'
@@ -169,21 +171,22 @@ void rdf_in_space(const RdfCommand& options) {
     std::cout << '\n';
   }
   std::cout << kinds << "written: " << written << '\n';
+  if (explanation) write_explanation(*explanation, rdf, options.stem + "_explained");
 }
 
 void rdf_in_plane(const RdfCommand& options) {
   if (options.axial) throw CLI::ValidationError("--axial", "expected in a scene in space alone");
   RdfSample sample(options.rdf);
   Packing last_packing;
+  const auto read = [&](const Frame& frame) { return read_packing(frame, options.input.packing); };
   const Frame& last = options.input.for_frames([&](const Frame& frame) {
-    auto packing = read_packing(frame, options.input.packing);
+    auto packing = read(frame);
     sample.add(packing);
     last_packing = std::move(packing);
   });
   const auto rdf = sample.result();
   // A wrong distance shows before anything is written.
-  std::optional<PeakExplanation> explanation;
-  if (options.explain) explanation = explain_peak(options, rdf);
+  const auto explanation = explain_peak<PeakSample>(options, rdf, read);
   auto written = write_rdf(rdf, options.stem);
   const auto kinds = by_kind(last, last_packing, options, written);
   std::cout << describe(last_packing) << '\n'

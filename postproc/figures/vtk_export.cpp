@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 
+#include "analysis/stock/stock_dumps.h"
 #include "figures/space/capsules.h"
 #include "reading/checks/frame_pool.h"
 #include "reading/number_text.h"
@@ -171,9 +173,26 @@ namespace {
 void require_bodies(const std::vector<std::string>& files) {
   for (const auto& file : files) {
     Frame frame;
-    if (DumpReader(file).next(frame) && kind_of(frame) == DumpKind::bodies) return;
+    if (DumpReader(file).next(frame) &&
+        (is_stock_dump(frame) || kind_of(frame) == DumpKind::bodies))
+      return;
   }
   throw DataError("--capsules: expected a dump of bodies, found none");
+}
+
+// Visits a frame as one of the kinds; not at all where it is a stock dump of contacts whose spheres
+// are missing.
+void visit_as_some_kind(const Frame& read, const std::function<Frame(const Frame&)>& contacts_of,
+                        const std::function<void(const Frame&)>& visit) {
+  if (is_stock_dump(read)) return visit(as_bodies(read));
+  if (!contacts_of || read.names[0].rfind("c_", 0) != 0) return visit(read);
+  std::optional<Frame> contacts;
+  try {
+    contacts = contacts_of(read);
+  } catch (const NoSuchFrame&) {
+    return;
+  }
+  visit(*contacts);
 }
 
 // The index of the frames of one kind, by their times.
@@ -190,7 +209,8 @@ std::string pvd_text(const std::map<long, std::string>& frames, double timestep_
 }  // namespace
 
 std::vector<std::string> export_vtk(const std::vector<std::string>& files,
-                                    const std::string& folder, double timestep_s, bool capsules) {
+                                    const std::string& folder, double timestep_s, bool capsules,
+                                    const std::function<Frame(const Frame&)>& contacts_of) {
   if (capsules) require_bodies(files);
   std::vector<std::string> written;
   std::map<std::string, std::map<long, std::string>> index;
@@ -201,7 +221,7 @@ std::vector<std::string> export_vtk(const std::vector<std::string>& files,
     written.push_back((std::filesystem::path(folder) / name).string());
     return written.back();
   };
-  for_each_frame(files, [&](const Frame& frame) {
+  const auto write = [&](const Frame& frame) {
     const auto kind = kind_of(frame);
     // Empty frames are frames of a film; the same frame again is not.
     if (frame.rows > 0 && !pools.try_emplace(kind, false).first->second.take(frame)) return;
@@ -215,7 +235,8 @@ std::vector<std::string> export_vtk(const std::vector<std::string>& files,
     write_vtp(frame, kind, add(kind_name(kind), frame.timestep));
     if (capsules && kind == DumpKind::bodies)
       write_capsules(frame, add("capsules", frame.timestep));
-  });
+  };
+  for_each_frame(files, [&](const Frame& read) { visit_as_some_kind(read, contacts_of, write); });
   for (const auto& [kind, frames] : index) {
     const auto path = (std::filesystem::path(folder) / (kind + ".pvd")).string();
     write_text(path, pvd_text(frames, timestep_s));

@@ -2,6 +2,7 @@
 #ifndef RODPACK_FIGURES_VTK_EXPORT_H
 #define RODPACK_FIGURES_VTK_EXPORT_H
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,10 +41,13 @@ void write_poly_data(vtkPolyData* data, const std::string& file);
 /// Writes every frame of every dump as `folder`/<kind>.<timestep>.vtp and, per kind, the time index
 /// `folder`/<kind>.pvd, which ParaView opens; the files written are returned. Times are
 /// timestep * `timestep_s`, in s; 0 = unknown: the index then holds timesteps. `capsules`: of
-/// bodies write_capsules() too, as capsules.<timestep>.vtp.
+/// bodies write_capsules() too, as capsules.<timestep>.vtp. Spheres of a stock dump are written as
+/// the bodies that they make; `contacts_of`: what makes contacts of LIGGGHTS's own dump local,
+/// which is refused without. A frame for which it throws NoSuchFrame is passed over.
 std::vector<std::string> export_vtk(const std::vector<std::string>& files,
                                     const std::string& folder, double timestep_s,
-                                    bool capsules = false);
+                                    bool capsules = false,
+                                    const std::function<Frame(const Frame&)>& contacts_of = {});
 
 }  // namespace rodpack
 

@@ -391,9 +391,12 @@ Frame frame_beside(const Frame& frame, const std::vector<std::string>& files) {
 
 Frame frame_at(const std::vector<std::string>& files, long timestep) {
   if (files.empty()) throw DataError("no dump file given");
-  // From the last file back to the first one that begins at or before the timestep.
-  auto file = files.rbegin();
-  while (std::next(file) != files.rend() && DumpReader::first_timestep(*file) > timestep) ++file;
+  // The last one that begins at or before the timestep; by halves, for each has to be opened.
+  auto file = std::upper_bound(files.begin(), files.end(), timestep,
+                               [](long wanted, const std::string& each) {
+                                 return wanted < DumpReader::first_timestep(each);
+                               });
+  if (file != files.begin()) --file;
   Frame frame;
   DumpReader reader(*file);
   long nearest = DumpReader::first_timestep(*file);

@@ -7,6 +7,7 @@
 
 #include "analysis/energies.h"
 #include "analysis/orientation.h"
+#include "analysis/stock/stock_dumps.h"
 #include "figures/force_chains_figure.h"
 #include "figures/render.h"
 #include "figures/space/packing_picture.h"
@@ -46,7 +47,8 @@ void remove_own_outputs(const fs::path& out) {
   for (const std::string table :
        {"orientation", "rdf", "solid_fraction", "forces", "forces_friction", "forces_coordination",
         "fields", "fields_rings", "profile", "orientation_azimuth", "orientation_order",
-        "rdf_axial", "forces_fabric", "forces_fabric_order", "mixture", "rdf_partial"})
+        "rdf_axial", "forces_friction_types", "forces_fabric", "forces_fabric_order", "mixture",
+        "rdf_partial"})
     fs::remove(out / (table + ".csv"), ignored);
   for (const std::string figure : {"orientation",
                                    "orientation_polar",
@@ -137,7 +139,10 @@ class Analysis {
       for (const std::string name : {"x", "y", "radius", "fx", "fy", "fz"})
         files_.spheres->column(name);
     if (const auto table = run_ / "energies.csv"; fs::exists(table)) read_energies(table.string());
-    contacts_ = measure_contacts(run_.string(), files_.bodies, options_.packing.parameters,
+    std::function<Frame(const Frame&)> stock;
+    if (!options_.local.words.empty())
+      stock = [&](const Frame& pairs) { return contacts_of_stock(pairs); };
+    contacts_ = measure_contacts(run_.string(), files_.bodies, stock, options_.packing.parameters,
                                  options_.friction);
     if (files_.own_parameters || contacts_.frame.rows == 0) return;
     require_contacts_of_bodies(contacts_.frame, files_.bodies);
@@ -168,6 +173,8 @@ class Analysis {
   void start_notes(const std::string& walls, const std::vector<std::string>& notes,
                    const std::string& options) {
     summary_["notes"] = files_.notes;
+    if (!options_.local.words.empty() && contacts_.frame.rows > 0)
+      summary_["notes"].push_back("contacts: " + note_on_local_contacts(options_.local));
     for (const auto& note : notes) summary_["notes"].push_back(note);
     if (walls.find("box bounds") != std::string::npos)
       summary_["notes"].push_back("walls: " + walls + "; " + options +
@@ -211,6 +218,7 @@ class Analysis {
     const bool stressed =
         contacts_.frame.rows > 0 && contacts_.frame.timestep == files_.bodies.timestep;
     try {
+      if (const auto why = why_no_motion(files_.bodies); !why.empty()) throw TooFewParticles(why);
       report_fields(packing, files_.bodies, stressed ? &contacts_.frame : nullptr,
                     time_of(packing.timestep), out_, summary_);
       ++made;
@@ -236,6 +244,11 @@ class Analysis {
     require_any(report_in_space(packing, files_.bodies, contacts_, time_of(packing.timestep), out_,
                                 summary_));
     report_mixture(packing, files_.bodies, contacts_, out_, summary_);
+  }
+
+  // Of LIGGGHTS's own dumps, in which the bodies' are of spheres.
+  Frame contacts_of_stock(const Frame& pairs) const {
+    return read_local_contacts(pairs, options_.local, frame_beside(pairs, files_.body_files));
   }
 
   // s, or the timestep where its length is not known.
@@ -272,7 +285,8 @@ class Analysis {
       if (!files->empty())
         exported.insert(exported.end(), options_.all_frames ? files->begin() : files->end() - 1,
                         files->end());
-    export_vtk(exported, (out_ / "vtk").string(), dt_, !packing_);
+    export_vtk(exported, (out_ / "vtk").string(), dt_, !packing_,
+               [&](const Frame& pairs) { return contacts_of_stock(pairs); });
   }
 
   fs::path run_, out_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/stock/local_contacts.h"
 #include "reading/packing.h"
 #include "reading/space/spatial_packing.h"
 
@@ -17,6 +18,7 @@ struct AnalyseOptions {
   PackingOptions packing;
   SpaceOptions space;
   std::optional<double> friction;  // mu
+  LocalContactOptions local;
 };
 
 /// Runs every analysis on the last frame of a run folder (parameters.json, dumps/bodies.*.dump,

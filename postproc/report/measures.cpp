@@ -10,6 +10,7 @@
 #include "analysis/pressure_profile.h"
 #include "analysis/rdf.h"
 #include "analysis/solid_fraction.h"
+#include "analysis/stock/stock_dumps.h"
 #include "figures/energies_figure.h"
 #include "figures/field_maps.h"
 #include "figures/solid_fraction_figure.h"
@@ -117,6 +118,7 @@ void report_solid_fraction(const Packing& packing, const fs::path& out, Json& su
 }
 
 MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
+                                  const std::function<Frame(const Frame&)>& contacts_of,
                                   const std::string& parameters, std::optional<double> friction) {
   MeasuredContacts report;
   try {
@@ -128,15 +130,20 @@ MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
   try {
     auto& frame = report.frame;
     frame = frame_at(report.files, bodies.timestep);
+    if (contacts_of) frame = contacts_of(frame);
+    if (!frame.has("body_i")) {
+      report.note = why_no_contact_dump(frame);
+      report.files.clear();
+      frame = {};
+      return report;
+    }
     if (frame.rows > 0 && !frame.has("nx")) {
       report.note = frame.file + ":" + std::to_string(frame.header_line) +
                     ": no column 'nx', which dumps of earlier versions lack: forces are left out";
       return report;
     }
     ContactForceOptions options;
-    const auto mu = find_friction(frame, parameters, friction);
-    options.friction = mu.coefficient;
-    report.friction_note = mu.missing;
+    options.friction = find_friction(frame, parameters, friction);
     force_lines(frame);  // bad columns show before anything is written
     ContactForceSample sample(options);
     sample.add(frame, &bodies);
@@ -151,6 +158,23 @@ MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
   return report;
 }
 
+namespace {
+
+// Where coefficients differ, what each pair of atom types makes of its own.
+void put_friction_by_type(const MobilisedFriction& friction, Json& summary) {
+  for (const auto& pair : friction.by_type)
+    summary["friction_by_type"].push_back({{"types", {pair.lower_type, pair.upper_type}},
+                                           {"friction", pair.coefficient},
+                                           {"contacts", pair.contacts},
+                                           {"mobilised_friction_mean", pair.mean},
+                                           {"sliding_fraction", pair.sliding_fraction}});
+  if (friction.frictionless > 0)
+    summary["notes"].push_back("contacts: " + std::to_string(friction.frictionless) +
+                               " of friction 0 do not count for the mobilised friction");
+}
+
+}  // namespace
+
 void report_contacts(const MeasuredContacts& contacts, const fs::path& out, Json& summary) {
   if (!contacts.note.empty()) summary["notes"].push_back("contacts: " + contacts.note);
   if (!contacts.forces) return;
@@ -161,10 +185,11 @@ void report_contacts(const MeasuredContacts& contacts, const fs::path& out, Json
   if (forces.friction) {
     summary["mobilised_friction_mean"] = forces.friction->mean;
     summary["sliding_fraction"] = forces.friction->sliding_fraction;
+    put_friction_by_type(*forces.friction, summary);
   } else {
     summary["mobilised_friction_mean"] = nullptr;
     summary["sliding_fraction"] = nullptr;
-    summary["notes"].push_back("contacts: " + contacts.friction_note);
+    summary["notes"].push_back("contacts: " + forces.why_no_friction);
   }
   summary["coordination_number"] = forces.coordination.touching_particles;
   summary["contacts_per_particle"] = forces.coordination.contacts;

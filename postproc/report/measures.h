@@ -3,6 +3,7 @@
 #define RODPACK_REPORT_MEASURES_H
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "analysis/contact_forces.h"
 #include "analysis/janssen_fit.h"
 #include "analysis/pairs/rdf_sums.h"
+#include "analysis/stock/local_contacts.h"
 #include "reading/dump.h"
 #include "reading/packing.h"
 
@@ -51,12 +53,13 @@ struct MeasuredContacts {
   std::vector<Vector3> normals;       // of the contacts that are measured
   std::vector<double> normal_forces;  // of the same, N
   std::string note;                   // why there are no forces
-  std::string friction_note;          // why there is no mobilised friction
 };
-/// Reads the contacts of the timestep of `bodies` and measures their forces. `parameters`: the
-/// run's parameters.json; `friction`: in place of what the scene or that says. @throws DataError
-/// when a column is missing or malformed.
+/// Reads the contacts of the timestep of `bodies` and measures their forces. `contacts_of`: what
+/// makes them of LIGGGHTS's own dumps, if these are some. `parameters`: the run's parameters.json;
+/// `friction`: in place of what the scene or that says. @throws DataError when a column is missing
+/// or malformed.
 MeasuredContacts measure_contacts(const std::string& run, const Frame& bodies,
+                                  const std::function<Frame(const Frame&)>& contacts_of,
                                   const std::string& parameters, std::optional<double> friction);
 
 /// Distributions and numbers of the forces, in a plane and in space.

@@ -77,11 +77,11 @@ std::string write_axial_rdf(const AxialRdf& rdf, const std::string& stem) {
 }
 
 std::string write_contact_forces(const ContactForces& forces, const std::string& stem) {
-  write_contact_force_tables(forces, stem);
+  const auto of_types = write_contact_force_tables(forces, stem);
   plot_contact_forces(forces, stem);
   return table_and_figure(stem) + ", " +
          (forces.friction ? table_and_figure(stem + "_friction") + ", " : "") +
-         table_and_figure(stem + "_coordination");
+         (of_types.empty() ? "" : of_types + ", ") + table_and_figure(stem + "_coordination");
 }
 
 std::string write_fabric(const Fabric& fabric, const std::string& stem) {

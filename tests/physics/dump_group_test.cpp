@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <utility>
@@ -64,6 +65,44 @@ TEST(DumpOfAGroup, WhatIsNotInItIsAWallOnOneAndTwoRanks) {
     EXPECT_NEAR(bodies.column("x")[0], 0.01598, 1e-12);
     EXPECT_NEAR(bodies.column("x")[1], 0.05, 1e-12);
   }
+}
+
+// Of what a contact's two sides are made: here a ball of type 2 between one of type 1 and a wall of
+// type 3, with our contact models, which are evaluated once more, and with LIGGGHTS's own.
+TEST(DumpOfContacts, TellsTheAtomTypesOfBothSidesOnOneAndTwoRanks) {
+  for (const std::string models :
+       {"model spring_dashpot tangential spring_dashpot", "model hertz tangential history"})
+    for (const int ranks : {1, 2}) {
+      auto deck = Deck().atom_types(3).processors("* 1 1");
+      if (models.find("hertz") != std::string::npos) deck.hertz();
+      const auto run = run_liggghts(deck.with("create_atoms 1 single 0.05299 0.0014 0 units box\n"
+                                              "create_atoms 2 single 0.05 0.00149 0 units box\n"
+                                              "set group all diameter 0.003 density 2500\n"
+                                              "group right id 1\ngroup left id 2\n"
+                                              "fix motion all nve/sphere\n"
+                                              "fix floor left wall/gran " +
+                                              models +
+                                              " primitive type 3 yplane 0\nrun 0\n"
+                                              "write_dump all contact/gran all.dump\n"
+                                              "write_dump right contact/gran right.dump\n"
+                                              "write_dump left contact/gran left.dump\n"),
+                                    {}, ranks);
+      ASSERT_EQ(run.exit_code, 0) << run.output;
+      using Types = std::set<std::array<double, 4>>;  // sphere_i, wall, type_i, type_j
+      const auto types = [&](const std::string& name) {
+        const Table contacts = read_dump(run.folder / name);
+        Types found;
+        for (std::size_t c = 0; c < contacts.rows(); ++c)
+          found.insert({contacts.column("sphere_i")[c], contacts.column("wall")[c],
+                        contacts.column("type_i")[c], contacts.column("type_j")[c]});
+        return found;
+      };
+      const auto all = types("all.dump");
+      EXPECT_TRUE(all == (Types{{1, 0, 1, 2}, {2, 1, 2, 3}}) ||
+                  all == (Types{{2, 0, 2, 1}, {2, 1, 2, 3}}));
+      EXPECT_EQ(types("right.dump"), (Types{{1, 1, 1, 2}}));
+      EXPECT_EQ(types("left.dump"), (Types{{2, 1, 2, 1}, {2, 1, 2, 3}}));
+    }
 }
 
 // Three balls that touch one another have three contacts, and two of these the same sphere_i: as

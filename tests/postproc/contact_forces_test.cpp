@@ -134,13 +134,15 @@ TEST(ContactForces, ExponentialForcesGiveAnExponentialDistribution) {
 
 TEST(ContactForces, FrictionBinsAndWhatSlides) {
   ContactForceOptions options;
-  options.friction = 0.5;
+  options.friction.table = {{0.5}};
   const auto frame = contacts_frame({oblique(1, 2, 2, 0), oblique(1, 2, 2, 0.52),
                                      oblique(1, 2, 2, 0.9993), oblique(1, 2, 2, 1.1)});
   const auto forces = measure_contact_forces(frame, nullptr, options);
   ASSERT_TRUE(forces.friction);
   const auto& friction = *forces.friction;
-  EXPECT_EQ(friction.coefficient, 0.5);
+  EXPECT_EQ(friction.lowest, 0.5);
+  EXPECT_EQ(friction.highest, 0.5);
+  EXPECT_TRUE(friction.by_type.empty());
   EXPECT_NEAR(friction.mean, (0 + 0.52 + 0.9993 + 1) / 4, 1e-12);  // beyond 1: at most 1
   EXPECT_EQ(friction.sliding_fraction, 0.5);
   EXPECT_EQ(friction.count.front(), 1);
@@ -211,14 +213,14 @@ TEST(ContactForces, FrictionComesFromTheCommandLineElseFromTheRun) {
   Frame dump;
   dump.file = (folder / "c.dump").string();
   const auto found = [&](std::optional<double> given = {}) {
-    return find_friction(dump, "", given).coefficient;
+    return find_friction(dump, "", given).table;
   };
-  EXPECT_FALSE(found());
+  EXPECT_TRUE(found().empty());
   put(folder / "parameters.json", "{\"friction\": 0.3}");
-  EXPECT_EQ(found(), 0.3);
-  EXPECT_EQ(found(0.4), 0.4);
+  EXPECT_EQ(found(), FrictionTable{{0.3}});
+  EXPECT_EQ(found(0.4), FrictionTable{{0.4}});
   put(folder / "parameters.json", "{\"friction\": 0}");
-  EXPECT_FALSE(found());
+  EXPECT_TRUE(found().empty());
   put(folder / "parameters.json", "{\"friction\": -1}");
   EXPECT_THROW(found(), DataError);
 }

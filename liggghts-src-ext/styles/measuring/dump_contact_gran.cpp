@@ -13,6 +13,7 @@ namespace {
 /// The contact as its other sphere sees it.
 ContactRecord turned(ContactRecord contact) {
   std::swap(contact.i, contact.j);
+  std::swap(contact.type_i, contact.type_j);
   vectorNegate3D(contact.normal);
   vectorNegate3D(contact.force);
   return contact;
@@ -58,6 +59,8 @@ void DumpContactGran::list_rows() {
     row.overlap = contact.overlap;
     row.spring = contact.spring;
     vectorCopy3D(contact.normal, row.normal);
+    row.type_i = contact.type_i;
+    row.type_j = contact.type_j;
     add_row(row);
   }
 }

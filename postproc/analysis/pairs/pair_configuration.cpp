@@ -10,16 +10,7 @@
 namespace rodpack {
 namespace {
 
-// What counts as equal in names.
-constexpr double same_place = 0.25;  // d_p
-constexpr double parallel = 10;      // degrees, at most
-constexpr double upright = 75;       // degrees, at least
-
 bool about(double value, double expected) { return std::abs(value - expected) <= same_place; }
-
-std::string shifted_by(double along) {
-  return " shifted by " + number_text(std::round(10 * along) / 10) + " d_p";
-}
 
 std::string sphere_name(double distance, int common) {
   if (distance <= 1 + same_place / 2) return "touching";
@@ -44,7 +35,7 @@ std::string in_hollows(const PairConfiguration& pair) {
 std::string parallel_name(const PairConfiguration& pair, double aspect_ratio) {
   if (pair.across <= same_place)
     return pair.along <= aspect_ratio + same_place ? "end to end" : "in line and apart";
-  const std::string shift = pair.along > same_place ? shifted_by(pair.along) : "";
+  const auto shift = shift_in_words(pair.along);
   if (pair.across > 2 + same_place) return "parallel and apart" + shift;
   if (pair.across > 1 + same_place) return "parallel with one between" + shift;
   if (pair.along > aspect_ratio - same_place) return "end to end with a step";
@@ -69,7 +60,7 @@ std::string straight_name(const PairConfiguration& pair, double turn, double asp
 std::string curved_name(const PairConfiguration& pair, double turn, double curvature) {
   const double off = std::min(turn, 180 - turn);  // from alike or opposed
   if (off > 45) return "turned by " + number_text(std::round(turn)) + "°";
-  std::string ending = pair.along > same_place ? shifted_by(pair.along) : "";
+  auto ending = shift_in_words(pair.along);
   if (off > parallel) ending += " turned by " + number_text(std::round(off)) + "°";
   if (turn > 90) return (pair.across > 0 ? "back to back" : "open sides facing") + ending;
   const double across = std::abs(pair.across);
@@ -82,6 +73,11 @@ std::string curved_name(const PairConfiguration& pair, double turn, double curva
 double full_turn(ParticleKind kind) { return kind == ParticleKind::curved ? 2 * pi : pi; }
 
 }  // namespace
+
+std::string shift_in_words(double along) {
+  if (along <= same_place) return "";
+  return " shifted by " + number_text(std::round(10 * along) / 10) + " d_p";
+}
 
 PairConfiguration pair_configuration(double dx, double dy, double angle_centre,
                                      double angle_neighbour) {

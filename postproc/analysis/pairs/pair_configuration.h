@@ -9,6 +9,14 @@
 
 namespace rodpack {
 
+// What counts as equal in the names of configurations.
+constexpr double same_place = 0.25;  // d_p
+constexpr double parallel = 10;      // degrees, at most
+constexpr double upright = 75;       // degrees, at least
+
+/// " shifted by 0.5 d_p", or nothing where that is no shift in names.
+std::string shift_in_words(double along);
+
 enum class ParticleKind { sphere, straight, curved };
 
 /// How two alike particles lie to each other: the neighbour in the frame of the centre particle,

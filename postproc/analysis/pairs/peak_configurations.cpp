@@ -9,17 +9,12 @@
 #include "analysis/pairs/density_clusters.h"
 #include "analysis/pairs/touching_chains.h"
 #include "reading/angles.h"
-#include "reading/csv_file.h"
 #include "reading/number_text.h"
-#include "reading/text_file.h"
 
 namespace rodpack {
 namespace {
 
-// Pairs nearer than this to each other, in d_p, are neighbours in the space of configurations.
-constexpr double bandwidth = 0.15;
-// A pass this much lower than the lower summit parts two configurations.
-constexpr double pass_depth = 0.5;
+constexpr double bandwidth = peak_bandwidth;
 // More pairs than this are sorted by their nearest one of so many, evenly chosen: the neighbours of
 // all would take long, and say no more.
 constexpr std::size_t most_sorted = 5000;
@@ -122,17 +117,17 @@ void PeakSample::add(const Frame& bodies, const Packing& packing) {
   for_rdf_pairs(packing, options_, peak_.first, peak_.last, [&](const RdfPair& pair) {
     const auto i = pair.centre, j = pair.neighbour;
     if (pair.both_centres && j < i) return;  // seen from the other end already
-    pairs_.push_back(
-        {pair_configuration(pair.dx / d, pair.dy / d, packing.angle[i], packing.angle[j]),
-         pair.both_centres ? 2.0 : 1.0, chains.touch(i, j, pair.dx, pair.dy),
-         chains.common_neighbours(i, j)});
+    configurations_.push_back(
+        pair_configuration(pair.dx / d, pair.dy / d, packing.angle[i], packing.angle[j]));
+    pairs_.push_back({pair.both_centres ? 2.0 : 1.0, chains.touch(i, j, pair.dx, pair.dy),
+                      chains.common_neighbours(i, j)});
   });
 }
 
 PeakConfiguration PeakSample::describe(const std::vector<std::size_t>& members,
                                        std::size_t summit) const {
   const auto space = space_of(kind_, shape_->aspect_ratio);
-  const auto& top = pairs_[summit].configuration;
+  const auto& top = configurations_[summit];
   // The operations that leave the densest pair where it is: what is nearly its own mirror image is
   // reported as exactly that, since noise alone decides on which side of the mirror a pair lies.
   const auto of_top = equal_configurations(top, kind_);
@@ -145,7 +140,7 @@ PeakConfiguration PeakSample::describe(const std::vector<std::size_t>& members,
   double weight = 0;
   std::vector<PairConfiguration> aligned;
   for (const auto m : members) {
-    aligned.push_back(space.nearest(pairs_[m].configuration, of_top[0]));
+    aligned.push_back(space.nearest(configurations_[m], of_top[0]));
     if (space.distance(aligned.back(), of_top[0]) > bandwidth) continue;
     const auto equal = equal_configurations(aligned.back(), kind_);
     for (const auto k : own) {
@@ -158,43 +153,33 @@ PeakConfiguration PeakSample::describe(const std::vector<std::size_t>& members,
   }
   mean = {mean.along / weight, mean.across / weight, of_top[0].angle + mean.angle / weight};
 
-  double squares = 0;
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    const auto& pair = pairs_[members[k]];
-    const double off = space.distance(aligned[k], mean);
-    squares += pair.weight * off * off;
-    result.near_share += off <= 2 * bandwidth ? pair.weight : 0;
-    result.pairs += pair.weight;
-    result.touching_share += pair.touching ? pair.weight : 0;
-    result.common_neighbours += pair.weight * pair.common;
-  }
-  result.spread = std::sqrt(squares / result.pairs);
-  result.near_share /= result.pairs;
-  result.touching_share /= result.pairs;
-  result.common_neighbours /= result.pairs;
+  std::vector<double> off;
+  for (const auto& each : aligned) off.push_back(space.distance(each, mean));
+  count_members(pairs_, members, off, result);
   result.distance = std::hypot(mean.along, mean.across);
   result.pair = reported_configuration(mean, kind_);
   result.name = configuration_name(result.pair, kind_, *shape_, pairs_[summit].common);
   return result;
 }
 
-std::map<std::size_t, std::vector<std::size_t>> PeakSample::clusters() const {
+PeakClusters PeakSample::clusters() const {
   const auto space = space_of(kind_, shape_->aspect_ratio);
-  const auto place_of = [&](const Pair& pair) {
-    return space.point(equal_configurations(pair.configuration, kind_).front(), pair.common);
+  const auto place_of = [&](std::size_t pair) {
+    return space.point(equal_configurations(configurations_[pair], kind_).front(),
+                       pairs_[pair].common);
   };
   const std::size_t step = (pairs_.size() + most_sorted - 1) / most_sorted;
   Cloud cloud;
   std::vector<std::size_t> sample;
   for (std::size_t i = 0; i < pairs_.size(); i += step) {
-    cloud.add(space, pairs_[i].configuration, pairs_[i].common, sample.size());
+    cloud.add(space, configurations_[i], pairs_[i].common, sample.size());
     sample.push_back(i);
   }
   const Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
   const nanoflann::SearchParams any_order(32, 0.F, false);
   std::vector<std::pair<std::size_t, double>> found;
   const auto neighbours = [&](std::size_t k, const Visit& visit) {
-    tree.radiusSearch(place_of(pairs_[sample[k]]).data(), bandwidth * bandwidth, found, any_order);
+    tree.radiusSearch(place_of(sample[k]).data(), bandwidth * bandwidth, found, any_order);
     for (const auto& each : found)
       if (cloud.pair[each.first] != k) visit(cloud.pair[each.first]);
   };
@@ -203,14 +188,14 @@ std::map<std::size_t, std::vector<std::size_t>> PeakSample::clusters() const {
     density[k] = 1;
     neighbours(k, [&](std::size_t) { density[k] += 1; });
   }
-  const auto summits = density_clusters(density, neighbours, pass_depth);
+  const auto summits = density_clusters(density, neighbours, peak_pass_depth);
 
-  std::map<std::size_t, std::vector<std::size_t>> clusters;
+  PeakClusters clusters;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     std::size_t nearest = i / step;
     if (i % step != 0) {
       double squared_distance = 0;
-      tree.knnSearch(place_of(pairs_[i]).data(), 1, &nearest, &squared_distance);
+      tree.knnSearch(place_of(i).data(), 1, &nearest, &squared_distance);
       nearest = cloud.pair[nearest];
     }
     clusters[sample[summits[nearest]]].push_back(i);
@@ -219,57 +204,17 @@ std::map<std::size_t, std::vector<std::size_t>> PeakSample::clusters() const {
 }
 
 PeakExplanation PeakSample::result(double least_share) const {
-  if (pairs_.empty()) throw DataError("the peak holds no pair of particles");
   PeakExplanation explanation;
   explanation.peak = peak_;
   explanation.kind = kind_;
-  explanation.shape = *shape_;
-  double squared = 0;  // weights, for the error of shares
-  for (const auto& pair : pairs_) {
-    explanation.pairs += pair.weight;
-    explanation.touching_share += pair.touching ? pair.weight : 0;
-    squared += pair.weight * pair.weight;
-  }
-  explanation.touching_share /= explanation.pairs;
-  double others = explanation.pairs;
-  for (const auto& [summit, members] : clusters()) {
-    double weight = 0;
-    for (const auto m : members) weight += pairs_[m].weight;
-    const double share = weight / explanation.pairs;
-    if (share < least_share) continue;
-    auto configuration = describe(members, summit);
-    configuration.share = share;
-    configuration.share_error = std::sqrt(share * (1 - share) * squared) / explanation.pairs;
-    explanation.configurations.push_back(configuration);
-    others -= weight;
-  }
-  explanation.other_share = others / explanation.pairs;
-  std::stable_sort(explanation.configurations.begin(), explanation.configurations.end(),
-                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  if (shape_) explanation.shape = *shape_;
+  share_out(
+      pairs_, pairs_.empty() ? PeakClusters() : clusters(),
+      [&](const std::vector<std::size_t>& members, std::size_t summit) {
+        return describe(members, summit);
+      },
+      least_share, explanation);
   return explanation;
-}
-
-void write_peak_table(const PeakExplanation& explanation, const std::string& file) {
-  std::string text =
-      csv_line({"configuration", "along_over_dp", "across_over_dp", "angle_deg", "distance_over_dp",
-                "spread_over_dp", "near_share", "share", "share_standard_error", "pairs",
-                "touching_share", "common_neighbours"}) +
-      '\n';
-  for (const auto& each : explanation.configurations) {
-    const bool round = explanation.kind == ParticleKind::sphere;
-    text +=
-        csv_line({each.name, number_text(each.pair.along), number_text(each.pair.across),
-                  round ? "nan" : number_text(each.pair.angle / degree), number_text(each.distance),
-                  number_text(each.spread), number_text(each.near_share), number_text(each.share),
-                  number_text(each.share_error), number_text(each.pairs),
-                  number_text(each.touching_share), number_text(each.common_neighbours)}) +
-        '\n';
-  }
-  text += csv_line({"other", "nan", "nan", "nan", "nan", "nan", "nan",
-                    number_text(explanation.other_share), "nan",
-                    number_text(explanation.other_share * explanation.pairs), "nan", "nan"}) +
-          '\n';
-  write_text(file, text);
 }
 
 }  // namespace rodpack

@@ -11,8 +11,8 @@ TouchingChains::TouchingChains(const Frame& bodies, const Packing& packing)
     : centres_(body_points(bodies, packing,
                            [](const ChainShape& shape) { return sphere_centres(shape); })),
       radius_(bodies.column("radius")),
-      gap_(1e-4 * packing.particle_diameter),
-      next_(0.1 * packing.particle_diameter) {
+      gap_(touching_gap * packing.particle_diameter),
+      next_(neighbouring_gap * packing.particle_diameter) {
   find_neighbours(packing);
 }
 

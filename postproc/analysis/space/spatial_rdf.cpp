@@ -69,6 +69,21 @@ void SpatialRdfSample::add(const SpatialPacking& packing) {
   sums_.add(frame);
 }
 
+void for_spatial_rdf_pairs(const SpatialPacking& packing, const RdfOptions& options,
+                           std::size_t first, std::size_t last,
+                           const std::function<void(const SpatialRdfPair&)>& visit) {
+  const double bin = options.bin_width * packing.particle_diameter;
+  const double reach = bin * static_cast<double>(bins_of(options));
+  const double margin = margin_in_space(packing, options).first;
+  const auto points =
+      neighbourhood(packing, margin, std::min(packing.axial_length(), margin), reach);
+  for_neighbours(points, reach, [&](std::size_t i, std::size_t j, const Vector3& to) {
+    const auto k = static_cast<std::size_t>(std::hypot(to[0], to[1], to[2]) / bin);
+    if (k >= first && k <= last)
+      visit({points.particle[i], points.particle[j], to, points.is_centre[j]});
+  });
+}
+
 double half_period(const SpatialPacking& packing) {
   double half = std::numeric_limits<double>::infinity();
   const auto& walls = packing.walls;

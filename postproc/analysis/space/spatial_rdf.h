@@ -2,6 +2,8 @@
 #ifndef RODPACK_ANALYSIS_SPACE_SPATIAL_RDF_H
 #define RODPACK_ANALYSIS_SPACE_SPATIAL_RDF_H
 
+#include <functional>
+
 #include "analysis/pairs/rdf_sums.h"
 #include "reading/space/spatial_packing.h"
 
@@ -23,6 +25,18 @@ class SpatialRdfSample {
   RdfOptions options_;
   RdfSums sums_;
 };
+
+/// A pair that SpatialRdfSample counts.
+struct SpatialRdfPair {
+  std::size_t centre, neighbour;  // places in the packing
+  Vector3 to;                     // from the centre to the neighbour (the image seen), m
+  bool both_centres;              // it is counted a second time, from the other end
+};
+/// Calls `visit` for every pair that SpatialRdfSample counts in the bins `first` to `last`, both
+/// included, centre by centre. @throws as neighbourhood().
+void for_spatial_rdf_pairs(const SpatialPacking& packing, const RdfOptions& options,
+                           std::size_t first, std::size_t last,
+                           const std::function<void(const SpatialRdfPair&)>& visit);
 
 /// Half of the packing's shortest period, in d_p; infinite without one.
 double half_period(const SpatialPacking& packing);

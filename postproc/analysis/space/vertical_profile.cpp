@@ -6,6 +6,7 @@
 
 #include "analysis/space/body_volumes.h"
 #include "analysis/space/fields/spatial_fields.h"
+#include "analysis/stock/stock_dumps.h"
 #include "reading/angles.h"
 #include "reading/checks/contacts_of_bodies.h"
 #include "reading/csv_file.h"
@@ -54,6 +55,7 @@ void VerticalProfileSample::start(const SpatialPacking& packing) {
 
 void VerticalProfileSample::add(const SpatialPacking& packing, const Frame& bodies,
                                 const Frame* contacts) {
+  require_motion(bodies);
   const auto volumes = body_volumes(bodies);
   const auto& mass = bodies.column("mass");
   std::vector<Interaction> interactions;

@@ -89,7 +89,7 @@ double length_of(const Vector3& a) { return std::hypot(a[0], a[1], a[2]); }
 
 // One sphere, and its body.
 struct StockSphere {
-  double id = 0, radius = 0, body = 0;
+  double id = 0, type = 0, radius = 0, body = 0;
   Vector3 place{}, centre{};  // of the sphere; of its body, in the image next to it
 };
 
@@ -99,8 +99,8 @@ class SphereDump {
     if (!frame.has("radius") || frame.has("nspheres"))
       throw DataError(place_of(frame) +
                       "expected a dump of spheres that tells their bodies, beside one of contacts "
-                      "of LIGGGHTS's own; 'dump spheres all custom 10000 spheres.*.dump id type x "
-                      "y z radius id_multisphere' in the deck writes it");
+                      "of LIGGGHTS's own; 'dump bodies all custom 10000 bodies.*.dump id type x y "
+                      "z radius id_multisphere mass vx vy vz' in the deck writes it");
     const auto bodies = as_bodies(frame);
     const auto& body_id = bodies.column("id");
     const auto centre = vector_columns(bodies, {"x", "y", "z"});
@@ -109,9 +109,11 @@ class SphereDump {
       centres[body_id[row]] = {(*centre[0])[row], (*centre[1])[row], (*centre[2])[row]};
     const auto body = bodies_of_spheres(frame);
     const auto place = vector_columns(frame, {"x", "y", "z"});
-    const auto &id = frame.column("id"), &radius = frame.column("radius");
+    const auto &id = frame.column("id"), &type = frame.column("type"),
+               &radius = frame.column("radius");
     for (std::size_t row = 0; row < frame.rows; ++row) {
       StockSphere sphere{id[row],
+                         type[row],
                          radius[row],
                          body[row],
                          {(*place[0])[row], (*place[1])[row], (*place[2])[row]},
@@ -167,11 +169,13 @@ struct ContactRow {
   Vector3 point, force, centre_i, centre_j;
   double overlap;
   Vector3 normal;
+  double type_i, type_j;  // the latter 0 of a wall, which LIGGGHTS's dumps do not tell
 };
 
 const std::vector<std::string> contact_columns{
-    "body_i", "body_j", "sphere_i", "sphere_j", "wall", "x",   "y",         "z",  "fx", "fy", "fz",
-    "bix",    "biy",    "biz",      "bjx",      "bjy",  "bjz", "overlap_n", "nx", "ny", "nz"};
+    "body_i", "body_j",    "sphere_i", "sphere_j", "wall", "x",      "y",     "z",
+    "fx",     "fy",        "fz",       "bix",      "biy",  "biz",    "bjx",   "bjy",
+    "bjz",    "overlap_n", "nx",       "ny",       "nz",   "type_i", "type_j"};
 
 void append(const ContactRow& row, Frame& contacts) {
   std::vector<double> values{row.body_i, row.body_j, row.sphere_i, row.sphere_j, row.wall};
@@ -179,11 +183,31 @@ void append(const ContactRow& row, Frame& contacts) {
   for (const auto* each : {&row.point, &row.force, &row.centre_i, &row.centre_j}) put(*each);
   values.push_back(row.overlap);
   put(row.normal);
+  values.push_back(row.type_i);
+  values.push_back(row.type_j);
   for (std::size_t c = 0; c < values.size(); ++c) contacts.columns[c].push_back(values[c]);
   ++contacts.rows;
 }
 
 }  // namespace
+
+Frame read_local_contacts(const Frame& pairs, const LocalContactOptions& options,
+                          const Frame& spheres) {
+  auto contacts = contacts_of_local_dump(pairs, options.words, spheres);
+  if (!options.wall_files.empty())
+    add_contacts_of_wall_dump(frame_beside(pairs, find_dumps(options.wall_files)), options.words,
+                              spheres, contacts);
+  return contacts;
+}
+
+std::string note_on_local_contacts(const LocalContactOptions& options) {
+  return "LIGGGHTS's own compute evaluates forces anew after the step: tangential ones of contacts "
+         "that slide are not those that acted, nor are their mobilised friction and their part of "
+         "the stress" +
+         std::string(options.wall_files.empty()
+                         ? "; contacts with walls are not among them: no --local-walls"
+                         : "; contacts with walls that are no meshes are not among them");
+}
 
 std::vector<std::string> local_contact_words() {
   std::vector<std::string> words;
@@ -223,7 +247,7 @@ Frame contacts_of_local_dump(const Frame& pairs, const std::vector<std::string>&
     const Vector3 place_j = sum(i.place, from_j, -1);
     append({i.body, j.body, i.id, j.id, 0, sum(place_j, normal, j.radius - overlap / 2),
             columns.vector("force", 0, row), i.centre, sum(place_j, sum(j.centre, j.place, -1)),
-            overlap, normal},
+            overlap, normal, i.type, j.type},
            contacts);
   }
   return contacts;
@@ -247,7 +271,7 @@ void add_contacts_of_wall_dump(const Frame& walls, const std::vector<std::string
     const double overlap = i.radius - distance;
     const Vector3 point = sum(i.place, normal, overlap / 2 - i.radius);
     append({i.body, 0, i.id, 0, 1, point, columns.vector("force", 0, row), i.centre, point, overlap,
-            normal},
+            normal, i.type, 0},
            contacts);
   }
 }

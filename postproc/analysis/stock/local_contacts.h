@@ -13,6 +13,21 @@ namespace rodpack {
 // after the compute, c_ID[1] and so on. What they hold follows from the words behind that compute,
 // in an order of its own whatever theirs is.
 
+/// What tells contacts in such dumps.
+struct LocalContactOptions {
+  std::vector<std::string> words;       // behind the compute; none: dumps are `dump contact/gran`
+  std::vector<std::string> wall_files;  // names and patterns of dumps of `compute wall/gran/local`
+};
+
+/// Returns a frame of contacts of one of `compute pair/gran/local`, and of the wall files' frame of
+/// the same timestep, if there are any. @throws DataError as the two functions below, NoSuchFrame
+/// where the walls lack the timestep.
+Frame read_local_contacts(const Frame& pairs, const LocalContactOptions& options,
+                          const Frame& spheres);
+
+/// What such contacts do not tell, for reports.
+std::string note_on_local_contacts(const LocalContactOptions& options);
+
 /// All words that may stand behind the compute.
 std::vector<std::string> local_contact_words();
 

@@ -26,6 +26,15 @@ std::string body_column(const Frame& frame) {
   return "";
 }
 
+// Columns that a dump custom may have, or not; all of a line, or none counts.
+const std::vector<std::string> motion[] = {
+    {"mass"}, {"vx", "vy", "vz"}, {"omegax", "omegay", "omegaz"}};
+
+bool has_all(const Frame& frame, const std::vector<std::string>& names) {
+  return std::all_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return frame.has(name); });
+}
+
 // A straight chain of equal spheres.
 struct StraightChain {
   Vector3 centre{}, axis{1, 0, 0};
@@ -41,6 +50,9 @@ class StockBodies {
     for (const char* name : {"id", "type", "nspheres", "x", "y", "z", "angle", "qw", "qx", "qy",
                              "qz", "half_length", "radius", "curvature", "area"})
       bodies_.names.emplace_back(name);
+    for (const auto& quantity : motion)
+      if (has_all(spheres, quantity))
+        bodies_.names.insert(bodies_.names.end(), quantity.begin(), quantity.end());
     bodies_.columns.resize(bodies_.names.size());
     bodies_.bad_fields.resize(bodies_.names.size());
     bodies_.file = spheres.file;
@@ -159,9 +171,24 @@ class StockBodies {
                              r,
                              0,
                              area};
-    for (std::size_t c = 0; c < bodies_.columns.size(); ++c)
-      bodies_.columns[c].push_back(values[c]);
+    constexpr std::size_t always = std::size(values);
+    for (std::size_t c = 0; c < always; ++c) bodies_.columns[c].push_back(values[c]);
+    for (std::size_t c = always; c < bodies_.names.size(); ++c)
+      bodies_.columns[c].push_back(mean_of(id, bodies_.names[c], rows));
     ++bodies_.rows;
+  }
+
+  // The chain is symmetric, so that its centre has the mean velocity; of what all spheres of a body
+  // have in common it is that.
+  double mean_of(double id, const std::string& name, const Rows& rows) const {
+    const auto& values = spheres_.column(name);
+    double sum = 0;
+    for (const auto row : rows) {
+      if (name == "mass" && std::abs(values[row] - values[rows[0]]) > 1e-4 * values[rows[0]])
+        refuse(id, "spheres of different mass, each of which has the body's in a body");
+      sum += values[row];
+    }
+    return sum / static_cast<double>(rows.size());
   }
 
   // Back into the period, as the dump of bodies has its centres.
@@ -178,6 +205,23 @@ class StockBodies {
 };
 
 }  // namespace
+
+bool is_stock_dump(const Frame& frame) {
+  return !frame.has("nspheres") && !frame.has("half_length") && !frame.has("body") &&
+         !body_column(frame).empty() && has_all(frame, {"id", "type", "x", "radius"});
+}
+
+std::string why_no_motion(const Frame& bodies) {
+  if (has_all(bodies, {"mass", "vx", "vy", "vz"})) return "";
+  return header_of(bodies) +
+         "expected particles with mass and velocity, which fields need, found some without; "
+         "'mass vx vy vz' among the columns of the dump custom tell them";
+}
+
+void require_motion(const Frame& bodies) {
+  const auto why = why_no_motion(bodies);
+  if (!why.empty()) throw DataError(why);
+}
 
 std::vector<double> bodies_of_spheres(const Frame& spheres) {
   auto body = spheres.column(body_column(spheres));
@@ -208,13 +252,16 @@ Frame as_bodies(const Frame& frame) {
   return StockBodies(frame).result();
 }
 
+std::string why_no_contact_dump(const Frame& frame) {
+  if (frame.has("body_i")) return "";
+  return header_of(frame) + "expected a dump of contacts, found one without 'body_i'; " +
+         "'dump contacts all contact/gran 10000 contacts.*.dump' in the deck writes them; " +
+         "those of LIGGGHTS's own 'compute pair/gran/local' are read with --local";
+}
+
 void require_contact_dump(const Frame& frame) {
-  if (frame.has("body_i")) return;
-  throw DataError(
-      header_of(frame) + "expected a dump of contacts, found one without 'body_i'; " +
-      "'dump contacts all contact/gran 10000 contacts.*.dump' in the deck writes them; " +
-      "those of LIGGGHTS's own 'compute pair/gran/local' are read by 'rodpack forces "
-      "--local'");
+  const auto why = why_no_contact_dump(frame);
+  if (!why.empty()) throw DataError(why);
 }
 
 }  // namespace rodpack

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "figures/figure.h"
@@ -45,6 +47,8 @@ Discs particle(const ChainShape& shape, double x, double y, double angle) {
 
 struct Inset {
   Discs centre, neighbour, common;
+  bool centre_in_front = true;
+  std::array<double, 2> neighbour_at{};    // its centre of mass; that of the other is opposite
   double half_width = 0, half_height = 0;  // of all discs about the middle of the two centres
 };
 
@@ -57,11 +61,66 @@ Discs common_spheres(double distance, int count) {
   return discs;
 }
 
-Inset inset_of(const PeakExplanation& explanation, const PeakConfiguration& configuration) {
+// Where a place of the centre particle's frame is seen, from beside and above; last its depth,
+// which grows towards the eye.
+Vector3 seen(const Vector3& place) {
+  constexpr double aside = 0.44, above = 0.35;  // rad
+  const double behind = place[2] * std::cos(aside) - place[0] * std::sin(aside);
+  return {place[0] * std::cos(aside) + place[2] * std::sin(aside),
+          place[1] * std::cos(above) + behind * std::sin(above),
+          behind * std::cos(above) - place[1] * std::sin(above)};
+}
+
+// The spheres of a straight particle, in space.
+std::vector<Vector3> spheres_in_space(const ChainShape& shape, const Vector3& middle,
+                                      const Vector3& axis) {
+  std::vector<Vector3> places;
+  for (const auto& sphere : sphere_centres(shape)) {
+    places.push_back(middle);
+    for (std::size_t c = 0; c < 3; ++c) places.back()[c] += sphere[0] * axis[c];
+  }
+  return places;
+}
+
+// Two rods do not overlap, so that one of them is in front where they are closest.
+Inset inset_in_space(const PeakExplanation& explanation, const PeakConfiguration& configuration) {
+  const auto& pair = configuration.pair;
+  const Vector3 half{pair.along / 2, pair.across / 2, 0};
+  const auto centre =
+      spheres_in_space(explanation.shape, {-half[0], -half[1], 0}, Vector3{1, 0, 0});
+  const auto neighbour = spheres_in_space(explanation.shape, half, configuration.axis);
+  Inset inset;
+  const auto at = seen(half);
+  inset.neighbour_at = {at[0], at[1]};
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& a : centre)
+    for (const auto& b : neighbour) {
+      const double distance = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+      if (distance < least) inset.centre_in_front = seen(a)[2] >= seen(b)[2];
+      least = std::min(least, distance);
+    }
+  for (const auto& [places, discs] :
+       {std::pair(&centre, &inset.centre), std::pair(&neighbour, &inset.neighbour)})
+    for (const auto& place : *places) {
+      const auto [x, y, depth] = seen(place);
+      discs->add(x, y, explanation.shape.diameter / 2);
+    }
+  return inset;
+}
+
+Inset inset_in_plane(const PeakExplanation& explanation, const PeakConfiguration& configuration) {
   const auto& pair = configuration.pair;
   Inset inset;
+  inset.neighbour_at = {pair.along / 2, pair.across / 2};
   inset.centre = particle(explanation.shape, -pair.along / 2, -pair.across / 2, 0);
   inset.neighbour = particle(explanation.shape, pair.along / 2, pair.across / 2, pair.angle);
+  return inset;
+}
+
+Inset inset_of(const PeakExplanation& explanation, const PeakConfiguration& configuration) {
+  const bool rods_in_space = explanation.in_space && explanation.kind != ParticleKind::sphere;
+  auto inset = rods_in_space ? inset_in_space(explanation, configuration)
+                             : inset_in_plane(explanation, configuration);
   if (explanation.kind == ParticleKind::sphere)
     inset.common = common_spheres(configuration.distance,
                                   static_cast<int>(std::lround(configuration.common_neighbours)));
@@ -129,8 +188,7 @@ std::string discs_plot(const std::string& block, const std::string& fill) {
 }
 
 // The two particles and the line between their centres, in a window of d_p around its middle.
-std::string pair_plot(const Inset& inset, const PairConfiguration& pair, std::size_t k,
-                      double width, double height) {
+std::string pair_plot(const Inset& inset, std::size_t k, double width, double height) {
   const auto id = std::to_string(k);
   const auto block = [&](const std::string& name, const Discs& discs) {
     return discs.x.empty() ? "" : datablock(name + id, {discs.x, discs.y, discs.radius});
@@ -139,17 +197,18 @@ std::string pair_plot(const Inset& inset, const PairConfiguration& pair, std::si
     return "set " + std::string(axis) + "range [" + number_text(-size / 2) + ":" +
            number_text(size / 2) + "]\n";
   };
-  std::string text =
-      block("c", inset.centre) + block("n", inset.neighbour) + block("s", inset.common) +
-      datablock("l" + id,
-                {{-pair.along / 2, pair.along / 2}, {-pair.across / 2, pair.across / 2}}) +
-      range("x", width) + range("y", height) + "plot ";
+  std::string text = block("c", inset.centre) + block("n", inset.neighbour) +
+                     block("s", inset.common) +
+                     datablock("l" + id, {{-inset.neighbour_at[0], inset.neighbour_at[0]},
+                                          {-inset.neighbour_at[1], inset.neighbour_at[1]}}) +
+                     range("x", width) + range("y", height) + "plot ";
   if (!inset.common.x.empty())
     text += "$s" + id +
             " using 1:2:3 with circles linewidth 0.8 dashtype 2 linecolor '#7F7F7F' "
             "fillstyle empty, ";
-  return text + discs_plot("n" + id, "#f2c9a8") + ", " + discs_plot("c" + id, "#9cc6e3") + ", $l" +
-         id +
+  const auto neighbour = discs_plot("n" + id, "#f2c9a8"), centre = discs_plot("c" + id, "#9cc6e3");
+  text += inset.centre_in_front ? neighbour + ", " + centre : centre + ", " + neighbour;
+  return text + ", $l" + id +
          " using 1:2 with linespoints linewidth 0.8 pointtype 7 pointsize 0.5 linecolor "
          "'#202020'\n";
 }
@@ -209,8 +268,7 @@ void plot_peak(const Rdf& rdf, const PeakExplanation& explanation, const std::st
     for (std::size_t line = 0; line < captions[k].size(); ++line)
       commands += label(captions[k][line], left + cell / 2,
                         bottom - line_height * (static_cast<double>(line) + 0.8) / height);
-    commands += pair_plot(insets[k], explanation.configurations[k].pair, k, cell * scale,
-                          inset_height * scale);
+    commands += pair_plot(insets[k], k, cell * scale, inset_height * scale);
   }
   draw_figure(stem, 1 / height, commands + "unset multiplot\n");
 }

@@ -20,7 +20,8 @@ LARGEST_WHOLE = 2**53 - 1
 
 # Columns of whole numbers, lowest and highest value.
 WHOLE = {name: (0, LARGEST_WHOLE) for name in
-         ("id", "type", "body", "body_i", "body_j", "sphere_i", "sphere_j")}
+         ("id", "type", "body", "body_i", "body_j", "sphere_i", "sphere_j",
+          "type_i", "type_j")}
 WHOLE.update(nspheres=(1, 10**6), wall=(0, 1))
 
 _TEXT_AT_A_TIME = 2**23  # bytes of memory for the text of rows

@@ -16,7 +16,8 @@ std::map<std::string, NumberRange> make_ranges() {
     for (const char* name : names) ranges.emplace(name, range);
   };
   const auto around_zero = [](double high) { return NumberRange{-high, high}; };
-  add({"id", "body", "body_i", "body_j", "sphere_i", "sphere_j", "type"}, {0, largest_id, true});
+  add({"id", "body", "body_i", "body_j", "sphere_i", "sphere_j", "type", "type_i", "type_j"},
+      {0, largest_id, true});
   add({"nspheres"}, {1, 1e6, true});
   add({"wall"}, {0, 1, true});
   add({"angle"}, around_zero(1e3));

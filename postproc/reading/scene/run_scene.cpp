@@ -96,13 +96,13 @@ SceneWall read_wall(const SceneObject& values) {
   return wall;
 }
 
-std::vector<std::vector<double>> read_friction(const SceneObject& scene) {
+FrictionTable read_friction(const SceneObject& scene) {
   const std::string expected = "a square table of numbers of 0 to 1000, or null";
   const auto& found = scene.value("friction", expected);
   if (found.is_null()) return {};
   if (!found.is_array()) scene.refuse("friction", expected);
   constexpr NumberRange range{0, 1000};
-  std::vector<std::vector<double>> table;
+  FrictionTable table;
   for (const auto& row : found) {
     table.emplace_back();
     if (!row.is_array() || row.size() != found.size()) scene.refuse("friction", expected);
@@ -226,30 +226,36 @@ std::optional<double> find_timestep(const Frame& frame, const std::string& param
   return found->number("timestep_s");
 }
 
-FrictionFound find_friction(const Frame& frame, const std::string& parameters,
+FrictionFound find_friction(const Frame& contacts, const std::string& parameters,
                             std::optional<double> given) {
-  if (given) return {given, ""};
+  if (given) return {{{*given}}, ""};
   const std::string hint = ", so that the mobilised friction is left out; --friction gives one";
-  const auto scene = find_scene(frame);
+  const auto scene = find_scene(contacts);
   if (scene && !scene->friction.empty()) {
     const double first = scene->friction[0][0];
     for (const auto& row : scene->friction)
-      for (const double each : row)
-        if (each != first)
-          return {std::nullopt, scene->file + " has another friction between other atom types, " +
-                                    number_text(first, 4) + " and " + number_text(each, 4) + hint};
-    if (first > 0) return {first, ""};
-    return {std::nullopt, scene->file + " has friction 0" + hint};
+      for (const double each : row) {
+        if (each == first) continue;
+        if (contacts.has("type_i") && contacts.has("type_j")) return {scene->friction, ""};
+        return {{},
+                scene->file + " has another friction between other atom types, " +
+                    number_text(first, 4) + " and " + number_text(each, 4) +
+                    ", and the contacts do not tell theirs (columns 'type_i type_j', which dumps "
+                    "of earlier versions lack)" +
+                    hint};
+      }
+    if (first > 0) return {{{first}}, ""};
+    return {{}, scene->file + " has friction 0" + hint};
   }
-  const auto found = find_parameters(frame.file, parameters);
+  const auto found = find_parameters(contacts.file, parameters);
   if (found && found->values.contains("friction")) {
     const double mu = found->number("friction");
     if (mu < 0)
       throw DataError(found->file + ": key 'friction': expected a value of at least 0, found " +
                       number_text(mu));
-    if (mu > 0) return {mu, ""};
+    if (mu > 0) return {{{mu}}, ""};
   }
-  return {std::nullopt, "no positive friction in parameters.json" + hint};
+  return {{}, "no positive friction in parameters.json" + hint};
 }
 
 }  // namespace rodpack

@@ -29,6 +29,9 @@ struct SceneWall {
   std::string description() const;
 };
 
+/// Coefficients of friction between atom types, row by row, the first type's first.
+using FrictionTable = std::vector<std::vector<double>>;
+
 /// What surrounds the particles of a run at one step.
 struct RunScene {
   std::string file;
@@ -36,7 +39,7 @@ struct RunScene {
   double timestep_length = 0;      // s
   std::optional<Vector3> gravity;  // m/s^2; none: not the same for all particles
   std::vector<SceneWall> walls;
-  std::vector<std::vector<double>> friction;  // between atom types; empty: the deck has none
+  FrictionTable friction;  // empty: the deck has none
 
   /// The axis that points up, 0 to 2: gravity's own, the other way; none where it is along no axis,
   /// or where there is none. @throws DataError when it points up along one.
@@ -56,14 +59,15 @@ std::optional<RunScene> find_scene(const Frame& frame);
 /// as find_parameters() finds it); none where nobody says it.
 std::optional<double> find_timestep(const Frame& frame, const std::string& parameters);
 
-/// The coefficient of friction of a run's contacts, or why there is none.
+/// The coefficients of friction of a run's contacts, or why there are none.
 struct FrictionFound {
-  std::optional<double> coefficient;
+  FrictionTable table;  // of one coefficient: that of all contacts; empty: none
   std::string missing;
 };
-/// Finds it: `given`, else the scene's, if all atom types have the same, else `friction` of
-/// parameters.json as above; none if that is missing or 0. @throws DataError when it is negative.
-FrictionFound find_friction(const Frame& frame, const std::string& parameters,
+/// Finds them: `given` for all, else the scene's, where they differ between atom types only if the
+/// contacts tell theirs (columns `type_i type_j`), else `friction` of parameters.json as above;
+/// none if that is missing or 0. @throws DataError when it is negative.
+FrictionFound find_friction(const Frame& contacts, const std::string& parameters,
                             std::optional<double> given);
 
 }  // namespace rodpack

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "deck.h"
 #include "liggghts_run.h"
 #include "reading/checks/body_axes.h"
+#include "stock_heap.h"
 
 using namespace rodpack;
 using namespace rodpack::test;
@@ -30,7 +30,7 @@ fix plane all enforce2d/multisphere
 fix lines all insert/line 3 template rods 1 per_line 6 x 0 0.1 y 0.06 total 12 fall 0.013 velocity -0.3 0.3
 run 9000
 write_dump all multisphere/body bodies.dump
-write_dump all custom stock.dump id type x y z radius id_multisphere
+write_dump all custom stock.dump id type x y z radius id_multisphere mass vx vy vz omegax omegay omegaz
 )"));
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto ours = last_frame({(run.folder / "bodies.dump").string()});
@@ -45,49 +45,14 @@ write_dump all custom stock.dump id type x y z radius id_multisphere
       EXPECT_NEAR(stock.column(name)[k], ours.column(name)[k], 1e-6) << name << k;
     EXPECT_NEAR(std::remainder(stock.column("x")[k] - ours.column("x")[k], 0.1), 0, 1e-6) << k;
     EXPECT_NEAR(stock.column("area")[k], ours.column("area")[k], 2e-4 * ours.column("area")[k]);
+    EXPECT_NEAR(stock.column("mass")[k], ours.column("mass")[k], 1e-5 * ours.column("mass")[k]);
+    for (const std::string name : {"vx", "vy", "vz", "omegax", "omegay", "omegaz"})
+      EXPECT_NEAR(stock.column(name)[k], ours.column(name)[k],
+                  2e-5 * (1 + std::abs(ours.column(name)[k])))
+          << name << k;
     const double turned = stock.column("angle")[k] - ours.column("angle")[k];
     EXPECT_NEAR(std::remainder(turned, M_PI), 0, 1e-3) << k;
   }
-}
-
-const std::string words = "pos id force delta";
-
-/// Twelve rods of three spheres, of LIGGGHTS's own multisphere and contact law, that have fallen
-/// onto two triangles, x periodic, and three single spheres among them; its own dumps of their
-/// contacts beside ours, of one step.
-std::filesystem::path stock_heap() {
-  auto folder = fresh_folder();
-  std::ofstream(folder / "floor.stl")
-      << "solid floor\nfacet normal 0 1 0\nouter loop\nvertex 0 0 -0.008\nvertex 0.04 0 0.008\n"
-         "vertex 0.04 0 -0.008\nendloop\nendfacet\nfacet normal 0 1 0\nouter loop\nvertex 0 0 "
-         "-0.008\nvertex 0 0 0.008\nvertex 0.04 0 0.008\nendloop\nendfacet\nendsolid floor\n";
-  const auto run = run_liggghts_in(folder, Deck()
-                                               .hertz()
-                                               .models("model hertz tangential history")
-                                               .box("0 0.04 -0.002 0.05 -0.02 0.02")
-                                               .boundary("p f f")
-                                               .skin("0.0015")
-                                               .timestep("2e-5")
-                                               .with(
-                                                   R"(
-fix rod all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 ntry 100000 spheres -0.002 0 0 0.0015 0 0 0 0.0015 0.002 0 0 0.0015 type 1
-fix mix all particledistribution/discrete 15485867 1 rod 1.0
-fix lines all insert/line 3 template rod 1 per_line 4 x 0 0.04 y 0.02 z 0 total 12 interval 0.04 velocity -0.2 0.2
-fix motion all multisphere
-fix g all gravity 9.81 vector 0 -1 0
-fix stl all mesh/surface file floor.stl type 1
-fix floor all wall/gran model hertz tangential history mesh n_meshes 1 meshes stl
-compute pairs all pair/gran/local )" + words + R"(
-compute walls all wall/gran/local )" + words + R"(
-dump pairs all local 10000 pairs.dump c_pairs[1] c_pairs[2] c_pairs[3] c_pairs[4] c_pairs[5] c_pairs[6] c_pairs[7] c_pairs[8] c_pairs[9] c_pairs[10] c_pairs[11] c_pairs[12] c_pairs[13]
-dump walls all local 10000 walls.dump c_walls[1] c_walls[2] c_walls[3] c_walls[4] c_walls[5] c_walls[6] c_walls[7] c_walls[8] c_walls[9] c_walls[10] c_walls[11] c_walls[12] c_walls[13]
-dump spheres all custom 10000 spheres.dump id type x y z radius id_multisphere
-dump bodies all multisphere/body 10000 bodies.dump
-dump contacts all contact/gran 10000 contacts.dump
-run 10000
-)"));
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  return folder;
 }
 
 struct ForceParts {
@@ -113,7 +78,7 @@ ForceParts parts(const Frame& contacts, std::size_t row, double sign) {
 // the dashpot's force is added whole: such tangential forces are not those that acted, by up to
 // twenty times here.
 TEST(StockDump, LocalContactsOfARunAreThoseOfItsOwnDump) {
-  const auto folder = stock_heap();
+  const auto folder = stock_heap("history");
   const auto frame = [&](const char* name) { return last_frame({(folder / name).string()}); };
   const auto ours = frame("contacts.dump"), spheres = frame("spheres.dump");
   const std::vector<std::string> given{"pos", "id", "force", "delta"};
@@ -170,14 +135,13 @@ TEST(StockDump, LocalContactsOfARunAreThoseOfItsOwnDump) {
 // What rodpack makes of either dump: the same contacts, and the same means to what the forces
 // differ.
 TEST(StockDump, ForcesOfLocalContactsAreThoseOfOurDump) {
-  const auto folder = stock_heap();
+  const auto folder = stock_heap("history");
   const auto ours =
       run_rodpack("forces contacts.dump --bodies bodies.dump --walls-too -o ours", folder);
   ASSERT_EQ(ours.exit_code, 0) << ours.output;
-  const auto stock =
-      run_rodpack("forces pairs.dump --local " + words +
-                      " --local-walls walls.dump --bodies spheres.dump --walls-too -o stock",
-                  folder);
+  const auto stock = run_rodpack(
+      "forces pairs.dump --bodies spheres.dump " + stock_contacts + " --walls-too -o stock",
+      folder);
   ASSERT_EQ(stock.exit_code, 0) << stock.output;
   EXPECT_EQ(text_of(folder / "stock_coordination.csv"), text_of(folder / "ours_coordination.csv"));
   const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };

@@ -150,8 +150,8 @@ TEST_F(SceneOfADeck, OptionsComeBeforeTheSceneAndItBeforeParameters) {
   EXPECT_EQ(round.low[2], 0.01);
   EXPECT_THAT(round.source, testing::StartsWith("--cylinder, "));
   EXPECT_EQ(find_timestep(middle(), ""), 1e-5);
-  EXPECT_EQ(find_friction(middle(), "", {}).coefficient, 0.3);
-  EXPECT_EQ(find_friction(middle(), "", 0.4).coefficient, 0.4);
+  EXPECT_EQ(find_friction(middle(), "", {}).table, FrictionTable{{0.3}});
+  EXPECT_EQ(find_friction(middle(), "", 0.4).table, FrictionTable{{0.4}});
 }
 
 TEST_F(SceneOfADeck, APlaneHasSidesAndAFloor) {
@@ -202,22 +202,27 @@ TEST_F(SceneOfADeck, GravitySaysWhichAxisPointsUp) {
                                                  "along +z")));
 }
 
-TEST_F(SceneOfADeck, FrictionIsTakenWhereAllTypesHaveTheSame) {
+TEST_F(SceneOfADeck, FrictionIsThatOfTypesOnlyWhereContactsTellTheirs) {
   auto scene = scene_with({});
   scene["friction"] = {{0.3, 0.3}, {0.3, 0.3}};
   tell(scene);
-  EXPECT_EQ(find_friction(middle(), "", {}).coefficient, 0.3);
+  EXPECT_EQ(find_friction(middle(), "", {}).table, FrictionTable{{0.3}});
   scene["friction"] = {{0.3, 0.3}, {0.3, 0.5}};
   tell(scene);
   const auto mixed = find_friction(middle(), "", {});
-  EXPECT_FALSE(mixed.coefficient);
-  EXPECT_THAT(mixed.missing, HasSubstr("another friction between other atom types, 0.3 and 0.5"));
+  EXPECT_TRUE(mixed.table.empty());
+  EXPECT_THAT(mixed.missing, HasSubstr("another friction between other atom types, 0.3 and 0.5, "
+                                       "and the contacts do not tell theirs"));
+  auto telling = middle();
+  telling.names = {"type_i", "type_j"};
+  EXPECT_EQ(find_friction(telling, "", {}).table, (FrictionTable{{0.3, 0.3}, {0.3, 0.5}}));
+  EXPECT_EQ(find_friction(telling, "", 0.4).table, FrictionTable{{0.4}});
   scene["friction"] = {{0}};
   tell(scene);
   EXPECT_THAT(find_friction(middle(), "", {}).missing, HasSubstr("friction 0"));
   scene["friction"] = json();
   tell(scene);
-  EXPECT_FALSE(find_friction(middle(), "", {}).coefficient);
+  EXPECT_TRUE(find_friction(middle(), "", {}).table.empty());
 }
 
 TEST_F(SceneOfADeck, IsThatOfTheFramesTimestep) {

@@ -132,6 +132,55 @@ TEST(StockDumps, AnotherDumpNamesTheLineThatTheDeckNeeds) {
                     HasSubstr("'dump contacts all contact/gran 10000 contacts.*.dump' in the "
                               "deck writes them")));
   EXPECT_THAT(error("solid-fraction local.dump"), HasSubstr(bodies));
+  dump("stock.dump", "ATOMS", "id type x y z radius id_multisphere", "1 1 0.5 0.5 0.5 0.01 0");
+  EXPECT_THAT(error("stress stock.dump --contacts local.dump"),
+              AllOf(HasSubstr("local.dump:9: expected a dump of contacts"),
+                    HasSubstr("are read with --local")));
+  const std::string motion =
+      "stock.dump:9: expected particles with mass and velocity, which fields need, found some "
+      "without; 'mass vx vy vz' among the columns of the dump custom tell them";
+  EXPECT_THAT(error("solid-fraction stock.dump"), HasSubstr(motion));
+  EXPECT_THAT(error("solid-fraction stock.dump --vertical z"), HasSubstr(motion));
+  // Words that do not fit the columns, and bodies that do not tell their spheres.
+  EXPECT_THAT(error("stress stock.dump --contacts local.dump --local id force"),
+              HasSubstr("local.dump:9: expected 6 columns of the words of the compute, found 2"));
+  dump("b.dump", "ENTRIES", "id type nspheres x y z angle half_length radius curvature area",
+       "1 1 1 0.5 0.5 0.5 0 0.01 0.01 0 3e-4");
+  dump("six.dump", "ENTRIES", "c_p[1] c_p[2] c_p[3] c_p[4] c_p[5] c_p[6]", "1 2 0 1 0 0");
+  EXPECT_THAT(error("profile b.dump --contacts six.dump --local id force"),
+              HasSubstr("b.dump:9: expected a dump of spheres that tells their bodies"));
+  EXPECT_EQ(rodpack::test::run_rodpack("profile b.dump --local-walls local.dump", folder).exit_code,
+            2);
+}
+
+// Each sphere of a body carries the body's mass; the velocity of the centre of a chain is the mean
+// of its spheres', which are v + omega x r: here 3 m/s along y, turning with 5 rad/s about z.
+TEST(StockDumps, MassAndVelocityOfABody) {
+  const auto dump = [](double third_mass) {
+    return last_frame({put(
+        fresh_folder() / "bodies.7.dump",
+        "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 "
+        "1\nITEM: ATOMS id type x y z radius id_multisphere mass vx vy vz omegax omegay "
+        "omegaz\n1 1 0.48 0.5 0.5 0.01 1 0.02 0 2.9 0 0 0 5\n2 1 0.5 0.5 0.5 0.01 1 0.02 0 3 0 "
+        "0 0 5\n3 1 0.52 0.5 0.5 0.01 1 " +
+            std::to_string(third_mass) +
+            " 0 3.1 0 0 0 5\n4 1 0.7 0.7 0.7 0.01 0 0.008 1 -1 0.5 0 0 0\n")});
+  };
+  const auto bodies = as_bodies(dump(0.02));
+  ASSERT_EQ(bodies.rows, 2U);
+  const std::vector<std::pair<std::string, std::vector<double>>> expected{{"mass", {0.02, 0.008}},
+                                                                          {"vx", {0, 1}},
+                                                                          {"vy", {3, -1}},
+                                                                          {"vz", {0, 0.5}},
+                                                                          {"omegaz", {5, 0}}};
+  for (const auto& [name, values] : expected)
+    for (std::size_t row = 0; row < 2; ++row)
+      EXPECT_NEAR(bodies.column(name)[row], values[row], 1e-12) << name;
+  EXPECT_EQ(why_no_motion(bodies), "");
+  const auto uneven = dump(0.03);
+  EXPECT_THAT([&] { as_bodies(uneven); },
+              ThrowsMessage<DataError>(HasSubstr("body 1: expected the equal spheres of a straight "
+                                                 "chain, found spheres of different mass")));
 }
 
 // Two rods of two spheres, x periodic with 1 m, and a single sphere: rod 1 with sphere 2 (at 0.98)
@@ -161,8 +210,9 @@ TEST(LocalContacts, FollowTheWordsOfTheCompute) {
   ASSERT_EQ(contacts.rows, 2U);
   const auto row = [&](std::size_t k) {
     std::vector<double> values;
-    for (const char* name : {"body_i", "body_j", "sphere_i", "sphere_j", "wall", "x", "y", "fx",
-                             "bix", "biy", "bjx", "overlap_n", "nx", "ny", "nz"})
+    for (const char* name :
+         {"body_i", "body_j", "sphere_i", "sphere_j", "wall", "x", "y", "fx", "bix", "biy", "bjx",
+          "overlap_n", "nx", "ny", "nz", "type_i", "type_j"})
       values.push_back(contacts.column(name)[k]);
     return values;
   };
@@ -173,8 +223,10 @@ TEST(LocalContacts, FollowTheWordsOfTheCompute) {
     for (const double each : values) all.push_back(testing::DoubleNear(each, 1e-9));
     return testing::ElementsAreArray(all);
   };
-  EXPECT_THAT(row(0), near({1, 4, 2, 3, 0, 0.9925, 0.5, 5, 0.97, 0.5, 1.015, 0.001, -1, 0, 0}));
-  EXPECT_THAT(row(1), near({9, 4, 5, 4, 0, 0.025, 0.512, 0, 0.025, 0.524, 0.015, 0.002, 0, 1, 0}));
+  EXPECT_THAT(row(0),
+              near({1, 4, 2, 3, 0, 0.9925, 0.5, 5, 0.97, 0.5, 1.015, 0.001, -1, 0, 0, 3, 3}));
+  EXPECT_THAT(row(1),
+              near({9, 4, 5, 4, 0, 0.025, 0.512, 0, 0.025, 0.524, 0.015, 0.002, 0, 1, 0, 3, 3}));
   const auto refusal = [&](const Frame& frame,
                            const std::vector<std::string>& given) -> std::string {
     try {
@@ -218,8 +270,9 @@ TEST(LocalContacts, OfWallsPointToTheSphere) {
                             contacts);
   ASSERT_EQ(contacts.rows, 1U);
   const std::pair<const char*, double> expected[] = {
-      {"body_i", 1}, {"body_j", 0}, {"sphere_i", 1},       {"wall", 1},   {"y", 0.48725},
-      {"fy", 8},     {"ny", 1},     {"overlap_n", 0.0005}, {"bix", 0.31}, {"bjy", 0.48725}};
+      {"body_i", 1},  {"body_j", 0},    {"sphere_i", 1}, {"wall", 1},
+      {"y", 0.48725}, {"fy", 8},        {"ny", 1},       {"overlap_n", 0.0005},
+      {"bix", 0.31},  {"bjy", 0.48725}, {"type_i", 3},   {"type_j", 0}};
   for (const auto& [name, value] : expected)
     EXPECT_NEAR(contacts.column(name)[0], value, 1e-9) << name;
   EXPECT_THROW(add_contacts_of_wall_dump(none, {"id", "force"}, spheres, contacts), DataError);
@@ -239,7 +292,7 @@ TEST(LocalContacts, NeedTheDumpOfSpheres) {
   EXPECT_THAT(run.output,
               HasSubstr("b.dump:9: expected a dump of spheres that tells their bodies"));
   EXPECT_THAT(run.output,
-              HasSubstr("custom 10000 spheres.*.dump id type x y z radius id_multisphere"));
+              HasSubstr("custom 10000 bodies.*.dump id type x y z radius id_multisphere"));
   EXPECT_EQ(rodpack::test::run_rodpack("forces p.dump --local id force", folder).exit_code, 2);
   EXPECT_EQ(rodpack::test::run_rodpack("forces p.dump --bodies b.dump --local id fource", folder)
                 .exit_code,

@@ -110,8 +110,6 @@ TEST_F(SpaceCommand, RdfWritesItsTablesAndFigures) {
 
 TEST_F(SpaceCommand, RdfRefusesWhatItCannotMeasure) {
   expect_refusal("rdf b.dump", 1, "a scene in space needs --vertical");
-  expect_refusal("rdf b.dump --vertical z --explain 1", 2,
-                 "--explain: expected in a scene in a plane, where three numbers say");
   expect_refusal("rdf b.dump --vertical z --axial 1 --axial-bin 0.6", 2,
                  "--axial: expected at least 2 bins");
   expect_refusal("rdf b.dump --vertical z --axial 100 --axial-bin 0.01", 2,

@@ -89,10 +89,11 @@ constexpr DumpColumn bjx = {"bjx", "m", false}, bjy = {"bjy", "m", false},
                      bjz = {"bjz", "m", false};
 constexpr DumpColumn overlap_n = {"overlap_n", "m", false}, overlap_t = {"overlap_t", "m", false};
 constexpr DumpColumn nx = {"nx", "", false}, ny = {"ny", "", false}, nz = {"nz", "", false};
+constexpr DumpColumn type_i = {"type_i", "", true}, type_j = {"type_j", "", true};  // atom types
 
-constexpr DumpColumn columns[] = {body_i, body_j,    sphere_i,  sphere_j, wall, x,   y,   z,
-                                  fx,     fy,        fz,        bix,      biy,  biz, bjx, bjy,
-                                  bjz,    overlap_n, overlap_t, nx,       ny,   nz};
+constexpr DumpColumn columns[] = {
+    body_i, body_j, sphere_i, sphere_j, wall, x,         y,         z,  fx, fy, fz,     bix,
+    biy,    biz,    bjx,      bjy,      bjz,  overlap_n, overlap_t, nx, ny, nz, type_i, type_j};
 
 struct ContactRow {
   double body_i, body_j, sphere_i, sphere_j, wall;
@@ -102,6 +103,7 @@ struct ContactRow {
   double centre_j[3];      // of a wall the point
   double overlap, spring;  // the latter: length of the tangential spring
   double normal[3];        // from j to i
+  double type_i, type_j;   // of a wall that of its material
 };
 
 }  // namespace contact_dump
