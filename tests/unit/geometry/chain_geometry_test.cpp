@@ -226,7 +226,9 @@ TEST(ChainGeometry, RefusesWhatIsOutOfRangeAndNamesIt) {
       {{5, d_p, 0.5, 0, 1e308}, "primary diameter = 1e+308: expected a length from 1e-12 to 1e6"},
       {{1e4, d_p, 0.95, 0, d_p}, "number of primary spheres = 199981: expected at most 10000"},
       {{1.02, d_p, 0.5, 0, 3.15e-3},
-       "primary diameter = 0.00315: expected less than the axial length"},
+       "primary diameter = 0.00315: expected 1e-5 of the axial length or more, less than it"},
+      {{5, d_p, 0.5, 0, 1.4e-7},
+       "primary diameter = 1.4e-07: expected 1e-5 of the axial length or more, less than it"},
   };
   for (const auto& b : bad) {
     try {

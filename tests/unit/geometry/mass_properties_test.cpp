@@ -39,6 +39,13 @@ TEST(MassProperties, ReferenceInertiaIsTheParallelAxisSumOfTheCoarseChain) {
   }
 }
 
+TEST(MassProperties, InertiaAboutTheThinnestChainIsNotRounding) {
+  // Two spheres side by side, both at the height of their centre of mass.
+  const double thin = 1.001e-5 * 2 * d_p;
+  const auto p = mass_properties({2, d_p, 0, 0.5, thin}, density, MassRule::own, true);
+  EXPECT_NEAR(p.inertia[0], 0.1 * p.mass * thin * thin, 1e-6 * p.inertia[0]);
+}
+
 TEST(MassProperties, ReferenceInertiaOfACurvedChainIsThatOfTheBentCoarseChain) {
   // AR = 3 on a half circle of radius R = 2 d / pi: (+-R, 0) and (0, R) about their mean (0, R/3):
   // sum x^2 = 2 R^2, sum y^2 = (1/9 + 1/9 + 4/9) R^2 = 2/3 R^2, each with M/3.

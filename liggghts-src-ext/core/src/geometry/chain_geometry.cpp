@@ -62,9 +62,10 @@ void validate(const ChainShape& shape) {
           "a length from 1e-12 to 1e6");
   const int count = chain_count(shape.aspect_ratio, shape.overlap);
   require(count <= most_spheres, "number of primary spheres", count, "at most 10000");
+  // Of thinner chains the moment of inertia about the chain is lost in the rounding of the others.
   if (count > 1)
-    require(shape.diameter < axial_length(shape), "primary diameter", shape.diameter,
-            "less than the axial length");
+    require(shape.diameter < axial_length(shape) && shape.diameter >= 1e-5 * axial_length(shape),
+            "primary diameter", shape.diameter, "1e-5 of the axial length or more, less than it");
 }
 
 int sphere_count(const ChainShape& shape) {
