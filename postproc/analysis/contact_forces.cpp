@@ -79,9 +79,8 @@ void ContactForceSample::add_forces(const Frame& contacts) {
   for (std::size_t i = 0; i < contacts.rows; ++i) {
     const double length = std::hypot((*n[0])[i], (*n[1])[i], (*n[2])[i]);
     if (!(std::abs(length - 1) < 1e-3))  // a dump may print few digits
-      throw DataError(contacts.file + ":" +
-                      std::to_string(contacts.header_line + 1 + static_cast<long>(i)) +
-                      ": columns 'nx ny nz': expected a unit vector, found one of length " +
+      throw DataError(at_row(contacts, i) +
+                      "columns 'nx ny nz': expected a unit vector, found one of length " +
                       number_text(length, 6));
     if (wall[i] != 0 && !options_.walls_too) {
       ++at_walls_;

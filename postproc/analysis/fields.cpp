@@ -11,6 +11,7 @@
 #include "analysis/space/body_volumes.h"
 #include "analysis/stock/stock_dumps.h"
 #include "reading/angles.h"
+#include "reading/checks/body_axes.h"
 #include "reading/checks/contacts_of_bodies.h"
 #include "reading/checks/planar.h"
 #include "reading/number_text.h"
@@ -150,11 +151,10 @@ void require_near(const Frame& contacts, const std::vector<SphereContact>& read,
     const double distance =
         std::hypot(point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]);
     if (!(distance <= longest.at(body)))
-      throw DataError(contacts.file + ":" +
-                      std::to_string(contacts.header_line + 1 + static_cast<long>(row)) +
-                      ": expected the contact within " + number_text(longest.at(body), 4) +
-                      " m of the centre of particle " + std::to_string(body) +
-                      " (twice its half length), found " + number_text(distance, 4) + " m");
+      throw DataError(at_row(contacts, row) + "expected the contact within " +
+                      number_text(longest.at(body), 4) + " m of the centre of particle " +
+                      std::to_string(body) + " (twice its half length), found " +
+                      number_text(distance, 4) + " m");
   };
   for (std::size_t row = 0; row < read.size(); ++row) {
     const auto& contact = read[row];

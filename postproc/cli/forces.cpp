@@ -112,13 +112,11 @@ void measure(const ForcesArguments& options) {
   auto settings = options.forces;
   settings.friction = find_friction(input.last(), input.packing.parameters, options.friction);
   ContactForceSample sample(settings);
-  Frame last;
-  input.for_frames([&](const Frame& frame) {
+  const Frame& last = input.for_frames([&](const Frame& frame) {
     std::optional<Frame> bodies;
     if (!body_files.empty()) bodies = as_bodies(frame_beside(frame, body_files));
     sample.add(frame, bodies ? &*bodies : nullptr);
     if (bodies) packing.particle_diameter = sphere_diameter(*bodies, packing);
-    last = frame;
   });
   const auto forces = sample.result();
   force_lines(last);  // bad columns show before anything is written

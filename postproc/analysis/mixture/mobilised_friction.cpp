@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "reading/checks/body_axes.h"
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
 
@@ -23,11 +24,9 @@ int type_of(const Frame& contacts, const char* column, std::size_t row, const Fr
             int least) {
   const double type = contacts.column(column)[row];
   if (type < least || type > static_cast<double>(table.size()))
-    throw DataError(contacts.file + ":" +
-                    std::to_string(contacts.header_line + 1 + static_cast<long>(row)) +
-                    ": column '" + column + "': expected an atom type of the scene's friction, " +
-                    std::to_string(least) + " to " + std::to_string(table.size()) + ", found " +
-                    number_text(type));
+    throw DataError(at_row(contacts, row) + "column '" + column +
+                    "': expected an atom type of the scene's friction, " + std::to_string(least) +
+                    " to " + std::to_string(table.size()) + ", found " + number_text(type));
   return static_cast<int>(type);
 }
 
@@ -36,9 +35,8 @@ double with_any(const Frame& contacts, std::size_t row, int type, const Friction
   const auto& all = table[static_cast<std::size_t>(type - 1)];
   if (std::all_of(all.begin(), all.end(), [&](double each) { return each == all[0]; }))
     return all[0];
-  throw DataError(contacts.file + ":" +
-                  std::to_string(contacts.header_line + 1 + static_cast<long>(row)) +
-                  ": expected the wall's atom type, since spheres of type " + std::to_string(type) +
+  throw DataError(at_row(contacts, row) + "expected the wall's atom type, since spheres of type " +
+                  std::to_string(type) +
                   " have another friction with each, found none: LIGGGHTS's own dumps do not tell "
                   "it; 'dump contact/gran' does, and --friction gives one");
 }

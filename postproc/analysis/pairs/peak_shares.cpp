@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "reading/angles.h"
 #include "reading/csv_file.h"

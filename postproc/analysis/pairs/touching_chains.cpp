@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace rodpack {
 
@@ -31,38 +30,22 @@ bool TouchingChains::nearer(std::size_t i, std::size_t j, double dx, double dy, 
 }
 
 int TouchingChains::common_neighbours(std::size_t i, std::size_t j) const {
-  std::vector<std::size_t> common;
-  std::set_intersection(neighbours_[i].begin(), neighbours_[i].end(), neighbours_[j].begin(),
-                        neighbours_[j].end(), std::back_inserter(common));
-  return static_cast<int>(common.size());
+  return neighbours_.common(i, j);
 }
 
-// Sweeps from the bottom up, so that only particles of about the same height are compared.
 void TouchingChains::find_neighbours(const Packing& packing) {
   double extent = 0;  // largest distance of a particle's rim from its centre of mass
   for (std::size_t i = 0; i < centres_.size(); ++i)
     for (const auto& [x, y] : centres_[i]) extent = std::max(extent, std::hypot(x, y) + radius_[i]);
   const double reach = 2 * extent + next_;
-  std::vector<std::size_t> order(packing.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return packing.y[a] < packing.y[b]; });
-  neighbours_.resize(packing.size());
   const double period = packing.walls.sides ? 0 : packing.walls.width();
   if (!packing.walls.bottom)
     throw DataError("configurations of pairs: expected a floor, found y periodic");
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (std::size_t m = k + 1; m < order.size(); ++m) {
-      const auto i = order[k], j = order[m];
-      const double dy = packing.y[j] - packing.y[i];
-      if (dy > reach) break;
-      double dx = packing.x[j] - packing.x[i];
-      if (period > 0) dx = std::remainder(dx, period);
-      if (std::abs(dx) > reach || !nearer(i, j, dx, dy, next_)) continue;
-      neighbours_[i].push_back(j);
-      neighbours_[j].push_back(i);
-    }
-  for (auto& each : neighbours_) std::sort(each.begin(), each.end());
+  neighbours_ = NeighbourLists(packing.y, reach, [&](std::size_t i, std::size_t j) {
+    double dx = packing.x[j] - packing.x[i];
+    if (period > 0) dx = std::remainder(dx, period);
+    return std::abs(dx) <= reach && nearer(i, j, dx, packing.y[j] - packing.y[i], next_);
+  });
 }
 
 }  // namespace rodpack

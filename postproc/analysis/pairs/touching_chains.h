@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/order/body_points.h"
+#include "analysis/pairs/neighbour_lists.h"
 #include "reading/dump.h"
 #include "reading/packing.h"
 
@@ -38,7 +39,7 @@ class TouchingChains {
   std::vector<double> radius_;      // m
   double gap_;                      // largest that counts as touching, m
   double next_;                     // largest of particles that are next to each other, m
-  std::vector<std::vector<std::size_t>> neighbours_;  // in ascending order
+  NeighbourLists neighbours_;
 };
 
 }  // namespace rodpack

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 
 #include "analysis/pairs/touching_chains.h"
 
@@ -47,14 +45,9 @@ bool TouchingRods::nearer(std::size_t i, std::size_t j, const Vector3& to, doubl
 }
 
 int TouchingRods::common_neighbours(std::size_t i, std::size_t j) const {
-  std::vector<std::size_t> common;
-  std::set_intersection(neighbours_[i].begin(), neighbours_[i].end(), neighbours_[j].begin(),
-                        neighbours_[j].end(), std::back_inserter(common));
-  return static_cast<int>(common.size());
+  return neighbours_.common(i, j);
 }
 
-// Sweeps along an axis that is not periodic, so that only particles next to one another along it
-// are compared.
 void TouchingRods::find_neighbours() {
   const auto& walls = packing_.walls;
   const auto found = std::find(walls.periodic.begin(), walls.periodic.end(), false);
@@ -64,26 +57,17 @@ void TouchingRods::find_neighbours() {
   double extent = 0;
   for (std::size_t i = 0; i < packing_.size(); ++i)
     extent = std::max(extent, reach_[i] + radius_[i]);
-  std::vector<std::size_t> order(packing_.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
   const auto& centre = packing_.centre;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return centre[a][sweep] < centre[b][sweep]; });
-  neighbours_.resize(packing_.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (std::size_t m = k + 1; m < order.size(); ++m) {
-      const auto i = order[k], j = order[m];
-      if (centre[j][sweep] - centre[i][sweep] > 2 * extent + next_) break;
-      Vector3 to{};
-      for (std::size_t c = 0; c < 3; ++c) {
-        to[c] = centre[j][c] - centre[i][c];
-        if (walls.periodic[c]) to[c] = std::remainder(to[c], walls.high[c] - walls.low[c]);
-      }
-      if (!nearer(i, j, to, next_)) continue;
-      neighbours_[i].push_back(j);
-      neighbours_[j].push_back(i);
+  std::vector<double> position;
+  for (const auto& each : centre) position.push_back(each[sweep]);
+  neighbours_ = NeighbourLists(position, 2 * extent + next_, [&](std::size_t i, std::size_t j) {
+    Vector3 to{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      to[c] = centre[j][c] - centre[i][c];
+      if (walls.periodic[c]) to[c] = std::remainder(to[c], walls.high[c] - walls.low[c]);
     }
-  for (auto& each : neighbours_) std::sort(each.begin(), each.end());
+    return nearer(i, j, to, next_);
+  });
 }
 
 }  // namespace rodpack

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "analysis/pairs/neighbour_lists.h"
 #include "reading/dump.h"
 #include "reading/space/spatial_packing.h"
 
@@ -29,7 +30,7 @@ class TouchingRods {
   std::vector<int> spheres_;
   std::vector<double> reach_, radius_;  // of the end sphere's centre from the middle; m
   double gap_, next_;                   // m
-  std::vector<std::vector<std::size_t>> neighbours_;  // in ascending order
+  NeighbourLists neighbours_;
 };
 
 }  // namespace rodpack
