@@ -266,8 +266,10 @@ TEST(EventCorrection, HistoryFollowsAJumpAsIfItHadAlwaysBeen) {
   }
   double spring = 1e-6, velocity[3];
   for (int k = 0; k < 3; ++k) velocity[k] = 0.2 + 30 * k * dt;
-  follow_jump(component(jump, {0.6, 0.8, 0}), dt, false, spring, 3,
-              [&](int k) -> double& { return velocity[k]; });
+  const JumpAlong<double> along = component(jump, {0.6, 0.8, 0});
+  for (int k = 0; k < 3; ++k) velocity[k] = velocity_after(along, k * dt, velocity[k]);
+  EXPECT_EQ(spring_after(along, true, spring), spring) << "a slide carries the cap";
+  spring = spring_after(along, false, spring);
   EXPECT_NEAR(spring, 1e-6 + a * s * s / 2, 1e-20);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(velocity[k], 0.2 + 30 * k * dt + a * (s - k * dt), 1e-15);
 }

@@ -17,7 +17,8 @@ void PlanarBlockPool::set_arguments(int part, PlanarForceArguments& forces) {
   forces.rows = rows();
   forces.newest = velocity(0, true);
   forces.earlier = earlier();
-  for (int k = 0; k < std::min(slots_, max_multistep_order); ++k) forces.velocity[k] = velocity(k);
+  forces.slots = slots_;
+  for (int k = 0; k < slots_; ++k) forces.velocity[k] = velocity(k);
 }
 
 void PlanarBlockPool::set_spheres(int place, const PlanarSphere* of_i, const PlanarSphere* of_j,

@@ -25,6 +25,14 @@ int PlanarBlockPool::add(int part, const PlanarBlockHead& head, int law,
   return place;
 }
 
+void PlanarBlockPool::remove(int place) {
+  const PlanarBlockHead head = heads_[place];
+  forget(head.i, place);
+  if (head.j >= 0) forget(head.j, place);
+  make_hole(place);
+  --filled_;
+}
+
 void PlanarBlockPool::remove_all_of(int body) {
   for (const int place : of_body_[body]) {
     const PlanarBlockHead& head = heads_[place];
@@ -105,15 +113,14 @@ void PlanarBlocks::resize(int bodies) {
   for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->resize(bodies);
 }
 
-void PlanarBlocks::take_out(int body, std::vector<PlanarLaneState>& contacts) {
-  for (const PlanarBlockPool* pool : {&pairs_, &at_walls_})
-    for (const int place : pool->of_body(body))
-      for (int lane = 0; lane < planar_lanes; ++lane)
-        if (pool->head(place).alive & 1 << lane) {
-          contacts.push_back(PlanarLaneState());
-          pool->save(place, lane, contacts.back());
-        }
-  remove_all_of(body);
+void PlanarBlocks::take_out(int j, int place, std::vector<PlanarLaneState>& contacts) {
+  PlanarBlockPool& pool = of(j);
+  for (int lane = 0; lane < planar_lanes; ++lane)
+    if (pool.head(place).alive & 1 << lane) {
+      contacts.push_back(PlanarLaneState());
+      pool.save(place, lane, contacts.back());
+    }
+  pool.remove(place);
 }
 
 void PlanarBlocks::remove_all_of(int body) {

@@ -2,8 +2,10 @@
 #ifndef RODPACK_PLANAR_BLOCKS_H
 #define RODPACK_PLANAR_BLOCKS_H
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -55,7 +57,13 @@ class PlanarBlockPool {
   /// Adds a block to part `part` of the bodies or a later one; returns its place. Its numbers are
   /// 0, or those of a block that was removed.
   int add(int part, const PlanarBlockHead& head, int law, const PlanarBlockColdData& cold);
+  void remove(int place);
   void remove_all_of(int body);
+  /// Sets the smallest gap between the spheres of a block at the reference positions (m).
+  void set_gap(int place, double gap) { heads_[place].gap = rounded_down(gap); }
+  static float rounded_down(double gap) {
+    return std::nextafter(static_cast<float>(gap), -std::numeric_limits<float>::infinity());
+  }
   /// The place and lane of the candidate pair of these spheres; place -1: there is none.
   std::pair<int, int> find(int i, int sphere_i, int j, int sphere_j) const;
 
@@ -175,8 +183,8 @@ class PlanarBlocks {
   int filled() const { return pairs_.filled() + at_walls_.filled(); }
   /// Makes room for so many bodies.
   void resize(int bodies);
-  /// Removes the blocks of a body, and appends the contacts in them to `contacts`.
-  void take_out(int body, std::vector<PlanarLaneState>& contacts);
+  /// Removes a block whose second body is j, and appends the contacts in it to `contacts`.
+  void take_out(int j, int place, std::vector<PlanarLaneState>& contacts);
   void remove_all_of(int body);
   /// Puts a contact into the lane of its spheres; false: they are no candidates.
   bool restore(const PlanarLaneState& contact);

@@ -104,23 +104,23 @@ void PlanarBodyStates::begin_loads() {
 /// that they continue the new branches backwards (event_correction.h).
 void PlanarBodyStates::apply_events(int part, long step, PlanarEvents& events) {
   events.forget_jumps(part);
-  for (const PlanarEvents::ChangedBody& change : events.changes(part)) {
-    const int b = change.body;
-    if (b >= owned()) continue;  // its own rank sees all of its contacts
+  events.each_changed(part, [&](int b, bool jumps) {
+    if (b >= owned()) return;  // its own rank sees all of its contacts
     typedef KnownInverse<double> Inverse;
     const double share = answer(b);
     const PlanarCorrection<Inverse> correction = {Inverse{share * inertia_[b].d[0]},
                                                   Inverse{share * inertia_[b].d[2]}};
-    PlanarJump jump = correction.missed(change.sum);
+    const PlanarBodyChange change = events.change(b);
+    PlanarJump jump = correction.missed(change);
     jump.cosine = kinematics_[b].cosine;
     jump.sine = kinematics_[b].sine;
     std::copy(jump.velocity, jump.velocity + 3, missed_velocity_[b].d);
     std::copy(jump.displacement, jump.displacement + 3, missed_displacement_[b].d);
     missed_[part].push_back(b);
-    if (change.jumps) events.set_jumped(b, jump);
-    if (evaluations_[b] == 0) continue;  // no past yet
+    if (jumps) events.set_jumped(b, jump);
+    if (evaluations_[b] == 0) return;  // no past yet
     for (int k = 1; k < settings_.order; ++k) {
-      const PlanarRates gain = correction.past(change.sum, k * settings_.dt);
+      const PlanarRates gain = correction.past(change, k * settings_.dt);
       double *const velocity = past_velocity_[past(k - 1, step)][b].d,
                     *const acceleration = past_acceleration_[past(k - 1, step)][b].d;
       for (int d = 0; d < 2; ++d) {
@@ -130,7 +130,7 @@ void PlanarBodyStates::apply_events(int part, long step, PlanarEvents& events) {
       velocity[2] += gain.angular_velocity;
       acceleration[2] += gain.angular_acceleration;
     }
-  }
+  });
   events.forget_changes(part);
 }
 

@@ -2,9 +2,10 @@
 #ifndef RODPACK_PLANAR_EVENTS_H
 #define RODPACK_PLANAR_EVENTS_H
 
-#include <vector>
-
+#include "../planar_simd/aligned_vector.h"
+#include "../planar_simd/arguments.h"
 #include "rodpack/contact/event_correction.h"
+#include "body_flags.h"
 #include "contact.h"
 #include "parts.h"
 #include "rodpack/planar/scene.h"
@@ -15,19 +16,12 @@ namespace rodpack {
 /// contacts what jumps did to their bodies in the step before. An `Events` of normal_history.h.
 class PlanarEvents {
  public:
-  /// A body some of whose contacts changed their forces in a step.
-  struct ChangedBody {
-    int body;
-    PlanarBodyChange sum;
-    bool jumps;
-  };
-
-  explicit PlanarEvents(const PlanarParts& parts)
-      : parts_(parts), changes_(parts.count()), jumped_bodies_(parts.count()) {}
+  explicit PlanarEvents(const PlanarParts& parts) : changed_(parts), jumped_(parts) {}
 
   void resize(int bodies) {
-    index_.resize(bodies, -1);
-    jumped_.resize(bodies, 0);
+    changed_.resize(bodies);
+    sums_.resize(bodies, PlanarChangeSums());
+    jumped_.resize(bodies);
     jumps_.resize(bodies);
   }
 
@@ -48,8 +42,7 @@ class PlanarEvents {
   }
 
   bool motion_changed(const PlanarContact& contact, ContactJump& jump) const {
-    const bool of_i = jumped_[contact.body_i] != 0;
-    const bool of_j = !contact.is_wall && jumped_[contact.body_j] != 0;
+    const bool of_i = jumped(contact.body_i), of_j = !contact.is_wall && jumped(contact.body_j);
     if (!of_i && !of_j) return false;
     jump = ContactJump();
     if (of_i) add_jump(contact, 1.0, jumps_[contact.body_i], contact.offset_i, jump);
@@ -57,31 +50,49 @@ class PlanarEvents {
     return true;
   }
 
-  /// Whether each body jumped in the last step; null if none of them did.
-  const char* jumped() const { return jumped_count_ == 0 ? nullptr : jumped_.data(); }
+  /// Sets what the SIMD loop needs to do the same for contacts that last.
+  void set_arguments(PlanarForceArguments& forces) {
+    forces.jumped = jumped_count_ > 0 ? jumped_.data() : nullptr;
+    forces.jumps = jumps_.data();
+    forces.changed = changed_.data();
+    forces.changes = sums_.data();
+  }
+
+  /// Whether the body jumped in the last step, and how.
   bool jumped(int body) const { return jumped_[body] != 0; }
   const PlanarJump& jump(int body) const { return jumps_[body]; }
   void set_jumped(int body, const PlanarJump& jump) {
-    if (!jumped_[body]) {
-      jumped_bodies_[parts_.of(body)].push_back(body);
-      ++jumped_count_;
-    }
-    jumped_[body] = 1;
+    if (!jumped(body)) ++jumped_count_;
+    jumped_.set(body, 1);
     jumps_[body] = jump;
   }
   /// Forgets the jumps of the bodies of a part, before those of a new step are set.
   void forget_jumps(int part) {
-    std::vector<int>& bodies = jumped_bodies_[part];
-    for (int body : bodies) jumped_[body] = 0;
-    jumped_count_ -= static_cast<int>(bodies.size());
-    bodies.clear();
+    jumped_.clear(part, [&](int) { --jumped_count_; });
   }
 
-  /// The sums of the changes of forces over the bodies of a part that had some in this step.
-  const std::vector<ChangedBody>& changes(int part) const { return changes_[part]; }
+  /// Calls visit(body, jumps) for the bodies of a part some of whose contacts changed their forces
+  /// in this step; `jumps`: not all of them grew from 0.
+  template <class Visit>
+  void each_changed(int part, Visit visit) const {
+    changed_.each(part, [&](int body) { visit(body, (changed_[body] & planar_jumps) != 0); });
+  }
+  /// The changes of the forces of the contacts of a body, summed up.
+  PlanarBodyChange change(int body) const {
+    const PlanarChangeSums& sums = sums_[body];
+    PlanarBodyChange change;
+    for (int d = 0; d < 3; ++d) {
+      const ChangeMoments<double> moments = {sums.now.d[d], sums.rate.d[d], sums.impulse.d[d],
+                                             sums.impulse_integral.d[d]};
+      if (d < 2)
+        change.force.set(d, moments);
+      else
+        change.torque.set(0, moments);
+    }
+    return change;
+  }
   void forget_changes(int part) {
-    for (const ChangedBody& change : changes_[part]) index_[change.body] = -1;
-    changes_[part].clear();
+    changed_.clear(part, [&](int body) { sums_[body] = PlanarChangeSums(); });
   }
 
  private:
@@ -92,24 +103,24 @@ class PlanarEvents {
       lever[d] += arm[d];
       rate[d] += v[d] - body_v[d];
     }
-    std::vector<ChangedBody>& of_part = changes_[parts_.of(body)];
-    if (index_[body] < 0) {
-      index_[body] = static_cast<int>(of_part.size());
-      of_part.push_back(ChangedBody{body, PlanarBodyChange(), false});
-    }
-    ChangedBody& change = of_part[index_[body]];
-    change.sum.force += force;
-    change.sum.torque += torque_change(lever, rate, force);
-    change.jumps = change.jumps || jumps;
+    const PlanarTorqueChange torque = torque_change(lever, rate, force);
+    PlanarChangeSums& sums = sums_[body];
+    add_moment(force.now, torque.now, sums.now);
+    add_moment(force.rate, torque.rate, sums.rate);
+    add_moment(force.impulse, torque.impulse, sums.impulse);
+    add_moment(force.impulse_integral, torque.impulse_integral, sums.impulse_integral);
+    changed_.set(body, jumps ? planar_changed | planar_jumps : planar_changed);
+  }
+  static void add_moment(const double (&force)[2], const double (&torque)[1], PlanarVector& sum) {
+    sum.d[0] += force[0];
+    sum.d[1] += force[1];
+    sum.d[2] += torque[0];
   }
 
-  PlanarParts parts_;
-  std::vector<int> index_;  // of a body in the changes of its part, -1: not there
-  std::vector<std::vector<ChangedBody>> changes_;
-  std::vector<char> jumped_;
-  std::vector<std::vector<int>> jumped_bodies_;
+  PlanarBodyFlags changed_, jumped_;
   int jumped_count_ = 0;
-  std::vector<PlanarJump> jumps_;
+  AlignedVector<PlanarChangeSums> sums_;
+  AlignedVector<PlanarJump> jumps_;
 };
 
 }  // namespace rodpack

@@ -42,11 +42,12 @@ PlanarForceArguments PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int 
   pool.set_arguments(part, forces);
   bodies_.set_arguments(forces);
   forces.moved = neighbours_.moved();
-  forces.jumped = events_.jumped();
+  events_.set_arguments(forces);
   forces.laws = laws_.data();
   forces.one_law = laws_.size() == 1;
   forces.walls = wall_lines_.data();
   forces.order = settings_.order;
+  forces.dt = settings_.dt;
   const MultistepWeights& weights = adams_bashforth_weights(settings_.order);
   for (int k = 0; k < settings_.order; ++k) forces.spring_weights[k] = settings_.dt * weights[k];
   forces.follows = follows_;
@@ -156,7 +157,6 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   PlanarContact contact;
   const bool touches = place_lane(pool, place, lane, contact);
   if (!touches && !alive) return;
-  if (touches && outlast_jump(pool, place, lane, contact)) return;
 
   PlanarLaneState lane_state;
   pool.save(place, lane, lane_state);

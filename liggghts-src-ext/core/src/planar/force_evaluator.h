@@ -49,7 +49,6 @@ class PlanarForceEvaluator {
   template <class Cap>
   void end(const PlanarContact& contact, const NormalHistory& normal, TangentialHistory& history,
            const Cap& cap);
-  bool outlast_jump(PlanarBlockPool& pool, int place, int lane, const PlanarContact& contact);
   PlanarContactState contact_state(const PlanarBlockPool& pool, int place, int lane) const;
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);

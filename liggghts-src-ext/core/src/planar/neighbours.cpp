@@ -124,8 +124,8 @@ bool PlanarNeighbours::follow_ghost(int ghost) {
   return exist_ && moved > before_its_skin * at.skin;
 }
 
-/// Makes the blocks of a body with the bodies before `end`, and with walls.
-void PlanarNeighbours::list_near(int body, int end) {
+/// Finds the bodies before `end` that are near a body.
+void PlanarNeighbours::find_near(int body, int end) {
   const PlanarReference& at = references_[body];
   const int owned = bodies_.owned();
   std::vector<int>& near = work_.near;
@@ -138,21 +138,33 @@ void PlanarNeighbours::list_near(int body, int end) {
     const double far = at.reach + there.reach + at.skin + there.skin;
     if (dx * dx + dy * dy < far * far) near.push_back(other);
   });
-  for (int other : near) {
-    const bool first = bodies_.comes_first(body, other);
-    list_pair(first ? body : other, first ? other : body);
-  }
-  if (body < owned) list_walls(body);
 }
 
-/// Makes the blocks of a body anew; contacts keep their history.
+/// Lists a body with the bodies near it that come before `end`, and with walls. What stands in
+/// work_.blocks is looked at again; contacts keep their history.
+void PlanarNeighbours::list_near(int body, int end) {
+  find_near(body, end);
+  for (const int other : work_.near) {
+    const bool first = bodies_.comes_first(body, other);
+    list_pair(first ? body : other, first ? other : body, other);
+  }
+  if (body < bodies_.owned()) list_walls(body);
+}
+
+/// Brings the blocks of a body to its present reference position.
 void PlanarNeighbours::list(int body) {
   ++listings_;
-  std::vector<PlanarLaneState>& contacts = work_.contacts;
-  contacts.clear();
-  blocks_.take_out(body, contacts);
+  std::vector<ListedBlock>& listed = work_.blocks;
+  listed.clear();
+  for (const PlanarBlockPool* pool : {&blocks_.pairs(), &blocks_.at_walls()})
+    for (const int place : pool->of_body(body)) {
+      const PlanarBlockHead& head = pool->head(place);
+      listed.push_back({head.i == body ? head.j : head.i, place});
+    }
   list_near(body, bodies_.size());
-  for (const PlanarLaneState& contact : contacts) blocks_.restore(contact);
+  for (const ListedBlock& out_of_reach : listed)
+    blocks_.of(out_of_reach.other).remove(out_of_reach.place);
+  listed.clear();
 }
 
 PlanarChain PlanarNeighbours::chain(int body) const {
@@ -160,18 +172,72 @@ PlanarChain PlanarNeighbours::chain(int body) const {
   return {bodies_.spheres(body), info.count, info.radius, references_[body]};
 }
 
-void PlanarNeighbours::list_pair(int i, int j) {
+void PlanarNeighbours::list_pair(int i, int j, int other) {
   work_.candidates.clear();
   find_candidates(chain(i), chain(j), work_.candidates);
-  add_blocks(i, j);
+  set_blocks(i, j, other, references_[i].skin + references_[j].skin);
 }
 
 void PlanarNeighbours::list_walls(int i) {
   for (std::size_t w = 0; w < settings_.walls.size(); ++w) {
     work_.candidates.clear();
     find_candidates(chain(i), settings_.walls[w], work_.candidates);
-    add_blocks(i, -1 - static_cast<int>(w));
+    const int wall = -1 - static_cast<int>(w);
+    set_blocks(i, wall, wall, references_[i].skin);
   }
+}
+
+/// Sees to it that all candidates of i and j, one of which is `other`, stand in blocks. Spheres that
+/// are no candidates are at least `skins` (m) apart.
+void PlanarNeighbours::set_blocks(int i, int j, int other, double skins) {
+  std::vector<ListedBlock>& listed = work_.blocks;
+  const auto of_pair = std::partition(listed.begin(), listed.end(), [&](const ListedBlock& block) {
+    return block.other != other;
+  });
+  if (of_pair == listed.end() || !renew_gaps(of_pair, j, skins)) {
+    work_.contacts.clear();
+    for (auto block = of_pair; block != listed.end(); ++block)
+      blocks_.take_out(j, block->place, work_.contacts);
+    add_blocks(i, j);
+    for (const PlanarLaneState& contact : work_.contacts) blocks_.restore(contact);
+  }
+  listed.erase(of_pair, listed.end());
+}
+
+/// Sets the gaps of the listed blocks from `of_pair` on if they hold all candidates.
+bool PlanarNeighbours::renew_gaps(std::vector<ListedBlock>::const_iterator of_pair, int j,
+                                  double skins) {
+  const double none = std::numeric_limits<double>::infinity();
+  PlanarBlockPool& pool = blocks_.of(j);
+  std::vector<double>& gaps = work_.gaps;
+  gaps.clear();
+  std::size_t found = 0;
+  for (auto block = of_pair; block != work_.blocks.cend(); ++block) {
+    const PlanarBlockHead& head = pool.head(block->place);
+    const PlanarBlockColdData& cold = pool.cold(block->place);
+    double gap = skins;
+    bool any = false;
+    for (int lane = 0; lane < planar_lanes; ++lane) {
+      if (!(head.used & 1 << lane)) continue;
+      for (const PlanarCandidate& candidate : work_.candidates)
+        if (candidate.sphere_i == cold.sphere_i[lane] && candidate.sphere_j == cold.sphere_j[lane]) {
+          gap = std::min(gap, candidate.gap);
+          any = true;
+          ++found;
+          break;
+        }
+    }
+    gaps.push_back(any ? gap : none);
+  }
+  if (found == 0 || found < work_.candidates.size()) return false;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const int place = (of_pair + static_cast<std::ptrdiff_t>(k))->place;
+    if (gaps[k] < none)
+      pool.set_gap(place, gaps[k]);
+    else
+      pool.remove(place);
+  }
+  return true;
 }
 
 /// The coefficients of contacts of body i with body j, or with wall -1 - j.
@@ -213,8 +279,7 @@ void PlanarNeighbours::add_blocks(int i, int j) {
     head.i = i;
     head.j = j;
     head.used = static_cast<std::uint8_t>((1 << used) - 1);
-    head.gap = std::nextafter(static_cast<float>(candidates[first].gap),
-                              -std::numeric_limits<float>::infinity());
+    head.gap = PlanarBlockPool::rounded_down(candidates[first].gap);
     for (int lane = 0; lane < planar_lanes; ++lane) {
       const PlanarCandidate& pair = candidates[first + (lane < used ? lane : 0)];
       cold.sphere_i[lane] = static_cast<std::uint16_t>(pair.sphere_i);

@@ -61,9 +61,16 @@ class PlanarNeighbours {
   void set_reference(int body);
   void set_lanes(int body, const PlanarReference& at);
   void list(int body);
+  void find_near(int body, int end);
   void list_near(int body, int end);
-  void list_pair(int i, int j);
+  void list_pair(int i, int j, int other);
   void list_walls(int i);
+  /// A block of the body that is being listed, and the other body or wall in it.
+  struct ListedBlock {
+    int other, place;
+  };
+  void set_blocks(int i, int j, int other, double skins);
+  bool renew_gaps(std::vector<ListedBlock>::const_iterator of_pair, int j, double skins);
   PlanarChain chain(int body) const;
   void add_blocks(int i, int j);
   struct Coefficients {  // of the contacts of a block
@@ -91,7 +98,9 @@ class PlanarNeighbours {
   struct ListingWorkspace {
     std::vector<int> near;                    // bodies that may have candidates with one
     std::vector<PlanarCandidate> candidates;  // of two bodies
-    std::vector<PlanarLaneState> contacts;    // of a body while it is listed anew
+    std::vector<ListedBlock> blocks;          // of a body, until they have been looked at
+    std::vector<double> gaps;                 // of those of two bodies
+    std::vector<PlanarLaneState> contacts;    // of two bodies whose blocks are made anew
   };
   ListingWorkspace work_;
 };

@@ -2,6 +2,7 @@
 #include "halo_messages.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace rodpack {
 
@@ -10,7 +11,7 @@ namespace {
 const int kinematic_values = 7, jump_values = 11;
 static_assert(sizeof(PlanarKinematics) == (kinematic_values + 1) * sizeof(double),
               "a message has all kinematics but the radius");
-static_assert(sizeof(PlanarJump) == jump_values * sizeof(double),
+static_assert(offsetof(PlanarJump, sine) == (jump_values - 1) * sizeof(double),
               "a message has all that is known of a jump");
 
 }  // namespace

@@ -3,10 +3,12 @@
 #define RODPACK_PLANAR_ARGUMENTS_H
 
 #include <cstddef>
+#include <cstdint>
 
 #include "block_layout.h"
 #include "kinematics.h"
 #include "range.h"
+#include "rodpack/contact/planar_jump.h"
 #include "rodpack/motion/contact_weight.h"
 #include "rodpack/motion/multistep.h"
 #include "rodpack/planar/instructions.h"
@@ -21,6 +23,14 @@ namespace rodpack {
 struct alignas(32) PlanarVector {
   double d[4];
 };
+
+/// Sums of the moments of the changes of the forces on a body since the events of its contacts in
+/// the last step, and of the torques about its centre of mass (ChangeMoments).
+struct PlanarChangeSums {
+  PlanarVector now, rate, impulse, impulse_integral;
+};
+/// What is known of the changes of a body: there are some; not all forces grew from 0.
+enum PlanarChangeFlag { planar_changed = 1, planar_jumps = 2 };
 
 /// A block of which some lanes, one bit for each, need the general path.
 struct PlanarGeneralBlock {
@@ -42,7 +52,8 @@ struct PlanarForceArguments {
   // The blocks to evaluate, in whole groups. Those of `touching` had contacts when they were
   // sorted, so that it is not worth the time to ask whether their spheres can have met.
   PlanarRange touching, others;
-  int velocity[max_multistep_order];  // offsets of the tangential velocities k + 1 steps back
+  int slots;                          // tangential velocities that a contact remembers
+  int velocity[max_multistep_order];  // offsets of these, k + 1 steps back
   int newest;                         // offset of the tangential velocity of this step
   int earlier;                        // of the normal force two steps back, under a WholeLoad
   // Bodies.
@@ -52,12 +63,18 @@ struct PlanarForceArguments {
   // Weights of a contact of each body, and what they are added to; null without mass scaling.
   const ContactWeight* weights;
   double* weight_sums;
-  const char* jumped;  // whether a body had an event in the step before; null: none had
+  // Whether a body had an event in the step before (null: none had), and what it did to its motion;
+  // what changes in this step, and by how much.
+  const std::uint8_t* jumped;
+  const PlanarJump* jumps;
+  std::uint8_t* changed;
+  PlanarChangeSums* changes;
   // The contact law.
   const PlanarLawConstants* laws;
   bool one_law;
   const PlanarWallLine* walls;
   int order;
+  double dt;
   double spring_weights[max_multistep_order];  // of the velocities in the spring, times dt, s
   bool follows;                                // whether events are corrected for
   // Room for an entry for each block.

@@ -36,6 +36,7 @@ inline void keep_lanes(LaneMask where, double* place, Lanes x) {
 /// tangent z x n.
 struct LaneMotion {
   Vector2<Lanes> normal, lever_i, lever_j;
+  Lanes length_i, length_j;  // of the levers from the centres of the spheres
   Lanes overlap, separation_velocity, tangential_velocity;
 };
 
@@ -47,9 +48,12 @@ inline void set_velocities(LaneMotion& motion, Vector2<Lanes> relative) {
 /// Forces on i, along the normal and the tangent z x n; 0 in lanes that are not on the fast path.
 struct LaneForces {
   Lanes normal, tangential;
-  int general;  // lanes that need the general path after all
-  int acts;     // the others
+  int general;         // lanes that need the general path after all
+  int acts;            // the others
+  int pushes, slides;  // of these, along their branches
 };
+
+#include "kernel_jumps.h"
 
 /// Sets the constants of the contacts of the blocks from `first` on.
 inline void set_constants(int first, const double* values, const PlanarForceArguments& forces,
@@ -71,10 +75,12 @@ inline void set_constants(int first, const double* values, const PlanarForceArgu
 }
 
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
-/// step. `sliding`: lanes that slid; becomes those that do. `Load`: of the cap of friction.
-template <class Load>
+/// step. `sliding`: lanes that slid; becomes those that do. `Load`: of the cap of friction. `Jumps`:
+/// what is known of the jumps of the bodies.
+template <class Load, class Jumps>
 inline LaneForces lasting_forces(int first, double* values, const LaneMotion& motion, int lasting,
-                                 int& sliding, const PlanarForceArguments& forces) {
+                                 int& sliding, const Jumps& jumps,
+                                 const PlanarForceArguments& forces) {
   const Lanes zero = all_lanes(0.0);
   LastingContact<LaneContacts> contact;
   set_constants(first, values, forces, contact);
@@ -83,25 +89,33 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   contact.viscoelastic_before = load_lanes(values + planar_viscoelastic);
   contact.tangential_velocity = motion.tangential_velocity;
   contact.spring_before = load_lanes(values + planar_spring);
-  contact.spring = contact.spring_before;
-  for (int k = 0; k < forces.order; ++k)
-    contact.spring += forces.spring_weights[k] * load_lanes(values + forces.velocity[k]);
   contact.slid = lanes_of_bits(sliding);
+  Lanes velocity[max_multistep_order];
+  for (int k = 0; k < forces.order; ++k) velocity[k] = load_lanes(values + forces.velocity[k]);
+  const LaneMask unfit = follow_jumps<Load>(jumps, values, forces, contact, velocity);
+  contact.spring = contact.spring_before;
+  for (int k = 0; k < forces.order; ++k) contact.spring += forces.spring_weights[k] * velocity[k];
   const LastingForce<LaneContacts> force = lasting_force<Load>(contact, zero, forces.follows);
 
   LaneMask acts = lanes_of_bits(lasting);
   LaneForces result;
   result.general = 0;
   if (forces.follows) {
-    result.general = lane_bits(force.changes & acts);
-    acts = acts & ~force.changes;
+    const LaneMask leaves = force.changes | unfit;
+    result.general = lane_bits(leaves & acts);
+    acts = acts & ~leaves;
   }
   result.acts = lasting & ~result.general;
+  result.pushes = lane_bits(force.pushes);
+  result.slides = lane_bits(force.slides);
   result.normal = lane_choice(acts, force.normal, zero);
   result.tangential = lane_choice(acts, force.tangential, zero);
   keep_lanes(acts, values + planar_spring, force.spring);
   if (Load::damped) keep_lanes(acts, values + forces.earlier, contact.viscoelastic_before);
   keep_lanes(acts, values + planar_viscoelastic, force.viscoelastic);
+  if (Jumps::any)
+    for (int k = 0; k < forces.slots; ++k)
+      keep_lanes(acts, values + forces.velocity[k], velocity[k]);
   keep_lanes(acts, values + forces.newest, motion.tangential_velocity);
   sliding = lane_bits(lane_choice(acts, force.slides, contact.slid));
   return result;
@@ -136,16 +150,6 @@ inline void set_sliding(PlanarBlockHead* heads, int sliding) {
     heads[b].sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & all_of_block);
 }
 
-/// The lanes of blocks whose bodies had no event in the step before.
-inline int undisturbed(const PlanarBlockHead* heads, const PlanarForceArguments& forces) {
-  int lanes = (1 << lane_blocks * planar_lanes) - 1;
-  if (!forces.jumped) return lanes;
-  for (int b = 0; b < lane_blocks; ++b)
-    if (forces.jumped[heads[b].i] | (heads[b].j >= 0 && forces.jumped[heads[b].j]))
-      lanes &= ~(all_of_block << b * planar_lanes);
-  return lanes;
-}
-
 /// Sums up the weights of the contacts `acts` of a register, for one of the two bodies of each
 /// block, in whose frame the spheres lie at x and y.
 inline void add_weights(int acts, const double* x, const double* y, const int (&body)[lane_blocks],
@@ -165,7 +169,7 @@ inline void add_weights(int acts, const double* x, const double* y, const int (&
 
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
 /// general path.
-template <class Load>
+template <class Load, class Jumps>
 inline __attribute__((always_inline)) int evaluate_blocks(int first,
                                                           const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
@@ -188,7 +192,7 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used;
   const int here = touching | flags.alive;
   if (here == 0) return 0;
-  const int lasting = touching & flags.full_history & undisturbed(heads, forces);
+  const int lasting = touching & flags.full_history;
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
@@ -197,8 +201,10 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   LaneMotion motion;
   motion.normal = {dx * inverse, dy * inverse};
   motion.overlap = reach - r;
-  motion.lever_i = lever_in_plane(arm_i, lever_length(radius_i, motion.overlap), motion.normal);
-  motion.lever_j = lever_in_plane(arm_j, -lever_length(radius_j, motion.overlap), motion.normal);
+  motion.length_i = lever_length(radius_i, motion.overlap);
+  motion.length_j = lever_length(radius_j, motion.overlap);
+  motion.lever_i = lever_in_plane(arm_i, motion.length_i, motion.normal);
+  motion.lever_j = lever_in_plane(arm_j, -motion.length_j, motion.normal);
   Lanes vxi, vyi, vxj, vyj;
   each_two(body_i, body_velocity, vxi, vyi);
   each_two(body_j, body_velocity, vxj, vyj);
@@ -206,7 +212,9 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   set_velocities(motion,
                  velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j));
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces<Load>(first, values, motion, lasting, sliding, forces);
+  const Jumps jumps = Jumps::of(heads, values, motion, forces);
+  const LaneForces force =
+      lasting_forces<Load>(first, values, motion, lasting, sliding, jumps, forces);
   set_sliding(heads, sliding);
   double *load_i[lane_blocks], *load_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
@@ -216,6 +224,8 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   const Vector2<Lanes> on_i = in_space(motion.normal, force.normal, force.tangential);
   add_loads(on_i.x, on_i.y, cross_z(motion.lever_i, on_i), cross_z(motion.lever_j, on_i), load_i,
             load_j);
+  report_jumps(heads, motion, {of_centres, arm_i, arm_j, wi, wj, inverse}, values, force, jumps,
+               forces);
   if (forces.weights) {
     int i[lane_blocks], j[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b) {
@@ -256,13 +266,24 @@ inline int find_awake(const PlanarForceArguments& forces) {
   return count;
 }
 
+/// The same of blocks with a body that had an event in the step before: a function of its own, so
+/// that the others do not pay for its registers.
+template <class Load>
+__attribute__((noinline)) int evaluate_jumped_blocks(int first,
+                                                     const PlanarForceArguments& forces) {
+  return evaluate_blocks<Load, LaneJumps>(first, forces);
+}
+
 template <class Load>
 int evaluate_pairs(const PlanarForceArguments& forces) {
   int entries = 0;
   const int count = find_awake(forces);
   for (int k = 0; k < count; ++k) {
-    const int general = evaluate_blocks<Load>(forces.awake[k], forces);
-    if (general != 0) enter_general(forces.awake[k], general, forces, entries);
+    const int first = forces.awake[k];
+    const int general = have_jumped(forces.heads + first, forces)
+                            ? evaluate_jumped_blocks<Load>(first, forces)
+                            : evaluate_blocks<Load, NoJumps>(first, forces);
+    if (general != 0) enter_general(first, general, forces, entries);
   }
   return entries;
 }

@@ -3,7 +3,7 @@
 
 /// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
 /// the general path.
-template <class Load>
+template <class Load, class Jumps>
 inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   PlanarBlockHead* const heads = forces.heads + first;
   double* const values = values_of(forces, first);
@@ -26,20 +26,26 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   const int touching = ~lane_bits(lane_less(radius, distance * side)) & flags.used;
   const int here = touching | flags.alive;
   if (here == 0) return 0;
-  const int lasting = touching & flags.full_history & undisturbed(heads, forces);
+  const int lasting = touching & flags.full_history;
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
+  const Vector2<Lanes> still = {zero, zero};
   LaneMotion motion;
   motion.normal = {along_x * side, along_y * side};
   motion.overlap = radius - distance * side;
-  motion.lever_i = lever_in_plane(arm, lever_length(radius, motion.overlap), motion.normal);
+  motion.length_i = lever_length(radius, motion.overlap);
+  motion.length_j = zero;
+  motion.lever_i = lever_in_plane(arm, motion.length_i, motion.normal);
+  motion.lever_j = still;
   Lanes vx, vy;
   each_two(body, body_velocity, vx, vy);
   const Vector2<Lanes> of_centre = {vx, vy};
   set_velocities(motion, velocity_at(of_centre, spin, motion.lever_i));
   int sliding = flags.sliding;
-  const LaneForces force = lasting_forces<Load>(first, values, motion, lasting, sliding, forces);
+  const Jumps jumps = Jumps::of(heads, values, motion, forces);
+  const LaneForces force =
+      lasting_forces<Load>(first, values, motion, lasting, sliding, jumps, forces);
   set_sliding(heads, sliding);
   const Vector2<Lanes> on_body = in_space(motion.normal, force.normal, force.tangential);
   alignas(64) PlanarVector on_walls = PlanarVector();
@@ -49,6 +55,8 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
     load_of_wall[b] = on_walls.d;
   }
   add_loads(on_body.x, on_body.y, cross_z(motion.lever_i, on_body), zero, load, load_of_wall);
+  report_jumps(heads, motion, {of_centre, arm, still, spin, zero, zero}, values, force, jumps,
+               forces);
   if (forces.weights) {
     int i[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b) i[b] = heads[b].i;
@@ -62,7 +70,9 @@ int evaluate_walls(const PlanarForceArguments& forces) {
   int entries = 0;
   for (const PlanarRange& range : {forces.touching, forces.others})
     for (int first = range.first; first < range.end; first += lane_blocks) {
-      const int general = evaluate_wall_blocks<Load>(first, forces);
+      const int general = have_jumped(forces.heads + first, forces)
+                              ? evaluate_wall_blocks<Load, LaneJumps>(first, forces)
+                              : evaluate_wall_blocks<Load, NoJumps>(first, forces);
       if (general != 0) enter_general(first, general, forces, entries);
     }
   return entries;

@@ -68,6 +68,24 @@ inline Vector2<Real> velocity_at(Vector2<Real> velocity, Real spin, Vector2<Real
   return {velocity.x - spin * lever.y, velocity.y + spin * lever.x};
 }
 
+/// Component of the rate at which the normal of two spheres turns, 1/s: from that of the velocity of
+/// their centres relative to each other, their velocity of separation and the inverse of their
+/// distance.
+template <class Real>
+inline Real turning_rate_component(Real relative, Real separation_velocity, Real normal,
+                                   Real inverse_distance) {
+  return (relative - separation_velocity * normal) * inverse_distance;
+}
+
+/// Component of the rate of the lever of lever_component(), whose arm changes at `arm_rate`: the
+/// overlap changes its length, and the normal turns at `turn`. `side` is 1 for i and -1 for j,
+/// `length` is positive for both.
+template <class Real>
+inline Real lever_rate_component(Real arm_rate, double side, Real length, Real separation_velocity,
+                                 Real normal, Real turn) {
+  return arm_rate - side * (0.5 * separation_velocity * normal + length * turn);
+}
+
 // ---- the law: linear spring and dashpot, Coulomb's cap (contact_law.h)
 
 /// Force of spring and dashpot along the normal, positive when it pushes. A contact has no tension:
@@ -187,4 +205,63 @@ inline LastingForce<Numbers> lasting_force(const LastingContact<Numbers>& contac
   result.spring = lane_choice(result.slides, carrying_spring(at_cap, contact.inverse_stiffness),
                               contact.spring);
   return result;
+}
+
+// ---- what an event in the step before has changed (force_change.h, event_correction.h)
+
+/// Moments of the change D of a force or torque since an event in the last step: D now, its rate,
+/// its integral over time since the event, and the integral over time of that integral.
+template <class Value>
+struct ChangeMoments {
+  Value now, rate, impulse, impulse_integral;
+};
+
+/// -coefficient times a velocity that has changed, where `acceleration`, `velocity` and
+/// `displacement` are the changes of an event in the last step as seen at its end, and a step of
+/// length `dt` has passed since: the dashpot of a contact whose bodies had an event.
+template <class Real>
+inline ChangeMoments<Real> dashpot_moments(Real coefficient, Real acceleration, Real velocity,
+                                           Real displacement, double dt) {
+  const Real a = -coefficient * acceleration, v = -coefficient * velocity;
+  const Real x = -coefficient * displacement;
+  return {v + dt * a, a, x + dt * (v + 0.5 * dt * a), dt * (x + dt * (0.5 * v + (dt / 6.0) * a))};
+}
+
+/// The torque of a changed force: `of_lever`(moment) is the product of the lever with a moment of
+/// the force, `of_rate`(moment) that of the rate of the lever.
+template <class Real, class Moment, class OfLever, class OfRate>
+inline ChangeMoments<Real> torque_moments(const ChangeMoments<Moment>& force, OfLever of_lever,
+                                          OfRate of_rate) {
+  // int (L - (t_now - t) L') x D dt, and the integral of the impulse is int (t_now - t) D dt
+  return {of_lever(force.now), of_lever(force.rate) + of_rate(force.now),
+          of_lever(force.impulse) - of_rate(force.impulse_integral),
+          of_lever(force.impulse_integral)};
+}
+
+/// By how much the motion of i's surface relative to j's, at a contact, has changed along one axis
+/// in the step before because forces on their bodies jumped; as seen at the end of that step.
+template <class Real>
+struct JumpAlong {
+  Real acceleration, velocity, displacement;
+};
+
+/// The tangential spring of a contact along one axis (m) with what it could not know of a jump: it
+/// grows by the displacement, but for that of a contact that `slid`, which carries the cap whatever
+/// way the surfaces go.
+template <class Real, class Mask>
+inline Real spring_after(const JumpAlong<Real>& jump, Mask slid, Real spring) {
+  return lane_choice(slid, spring, spring + jump.displacement);
+}
+/// The same of its velocity `age` (s) before the end of the step of the jump, m/s: as of a motion
+/// with the changed acceleration.
+template <class Real>
+inline Real velocity_after(const JumpAlong<Real>& jump, double age, Real velocity) {
+  return velocity + (jump.velocity - age * jump.acceleration);
+}
+
+/// The viscoelastic force of the last evaluation (N), had its dashpot (kg/s) known of a jump;
+/// `separation_jump`: of the velocity along the normal, m/s.
+template <class Real>
+inline Real viscoelastic_before(Real evaluated, Real damping, Real separation_jump) {
+  return evaluated - damping * separation_jump;
 }

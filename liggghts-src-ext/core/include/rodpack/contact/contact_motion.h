@@ -61,7 +61,8 @@ inline void normal_turning_rate(const Contact& contact, double (&rate)[component
   for (int d = 0; d < components; ++d)
     rate[d] = contact.is_wall
                   ? 0.0
-                  : (contact.v_i[d] - contact.v_j[d] - contact.vn * contact.en[d]) * contact.rinv;
+                  : turning_rate_component(contact.v_i[d] - contact.v_j[d], contact.vn,
+                                           contact.en[d], contact.rinv);
 }
 
 /// Distance from the centre of the sphere on a side to the contact: `side` is 1 for i, from which
@@ -85,7 +86,7 @@ inline void contact_lever(const Contact& contact, const double (&turn)[component
   const double length = length_of_lever(contact, side);
   lever_of(contact, side, lever);
   for (int d = 0; d < components; ++d)
-    rate[d] = -side * (0.5 * contact.vn * contact.en[d] + length * turn[d]);
+    rate[d] = lever_rate_component(0.0, side, length, contact.vn, contact.en[d], turn[d]);
 }
 
 /// The rate, in space, of a force `now` that grows by `rate` in a frame that turns with the

@@ -8,6 +8,7 @@
 #include "../motion/rigid_motion.h"
 #include "contact_motion.h"
 #include "force_change.h"
+#include "planar_jump.h"
 
 namespace rodpack {
 
@@ -85,14 +86,7 @@ inline PlanarBodyChange in_plane(const BodyChange& change) {
 
 // ---- what it does to a body
 
-/// By how much the motion of a body has changed in the last step because forces jumped, as seen at
-/// the end of that step. Vectors of the plane: x, y and rotation about z.
-struct PlanarJump {
-  double acceleration[3], velocity[3], displacement[3];
-  double cosine, sine;  // orientation of the body then
-};
-
-/// The same in space: the changes of the motion of a point of the body, and of its rotation.
+/// A PlanarJump in space: the changes of the motion of a point of the body, and of its rotation.
 struct SpatialJump {
   double acceleration[3], velocity[3], displacement[3];
   double angular_acceleration[3], angular_velocity[3], rotation[3];
@@ -188,32 +182,9 @@ struct ContactJump {
   double acceleration[3], velocity[3], displacement[3];
 };
 
-/// The component of a ContactJump along one axis.
-struct ContactJumpComponent {
-  double acceleration, velocity, displacement;
-};
-
 /// The component along a unit vector.
-inline ContactJumpComponent component(const ContactJump& jump, const double (&axis)[3]) {
+inline JumpAlong<double> component(const ContactJump& jump, const double (&axis)[3]) {
   return {dot(jump.acceleration, axis), dot(jump.velocity, axis), dot(jump.displacement, axis)};
-}
-
-/// Gives the tangential spring of a contact (m) and its velocities of the last steps (m/s), along
-/// one axis, what they could not know of a jump: the spring grows by the displacement, but for that
-/// of a contact that `slid`, which carries the cap whatever way the surfaces go; and the velocity k
-/// steps before the end of the last one by that of a motion with the changed
-/// acceleration. `velocity`(k) refers to one of `count` velocities, newest first, `dt` (s) apart.
-template <class Velocity>
-inline void follow_jump(const ContactJumpComponent& jump, double dt, bool slid, double& spring,
-                        int count, Velocity velocity) {
-  if (!slid) spring += jump.displacement;
-  for (int k = 0; k < count; ++k) velocity(k) += jump.velocity - k * dt * jump.acceleration;
-}
-
-/// The viscoelastic force of the last evaluation (N), had its dashpot (kg/s) known of a jump;
-/// `separation_jump`: of the velocity along the normal, m/s.
-inline double viscoelastic_before(double evaluated, double damping, double separation_jump) {
-  return evaluated - damping * separation_jump;
 }
 
 /// The jump of another point of the body, `arm` away.

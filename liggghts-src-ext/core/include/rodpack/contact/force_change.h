@@ -51,6 +51,14 @@ struct ChangeOf {
     return *this;
   }
 
+  /// Sets a component.
+  void set(int d, const ChangeMoments<double>& moments) {
+    now[d] = moments.now;
+    rate[d] = moments.rate;
+    impulse[d] = moments.impulse;
+    impulse_integral[d] = moments.impulse_integral;
+  }
+
   /// What the record of the force gains that was made `age` seconds ago (component d).
   double past_force(int d, double age) const { return now[d] - age * rate[d]; }
   /// What the record of the momentum gains that was made `age` seconds ago (component d).
@@ -84,61 +92,49 @@ inline ChangeOf<components> linear_change(const double (&now)[components],
   return change;
 }
 
-/// -coefficient times a velocity that has changed, where `acceleration`, `velocity` and
-/// `displacement` are the changes of an event in the last step as seen at its end, and a step of
-/// length `dt` has passed since: the dashpot of a contact whose bodies had an event.
+/// dashpot_moments() of each component.
 template <int components>
 inline ChangeOf<components> dashpot_change(double coefficient,
                                            const double (&acceleration)[components],
                                            const double (&velocity)[components],
                                            const double (&displacement)[components], double dt) {
   ChangeOf<components> change;
-  for (int d = 0; d < components; ++d) {
-    const double a = -coefficient * acceleration[d], v = -coefficient * velocity[d];
-    const double x = -coefficient * displacement[d];
-    change.now[d] = v + dt * a;
-    change.rate[d] = a;
-    change.impulse[d] = x + dt * (v + 0.5 * dt * a);
-    change.impulse_integral[d] = dt * (x + dt * (0.5 * v + dt * a / 6.0));
-  }
+  for (int d = 0; d < components; ++d)
+    change.set(d, dashpot_moments(coefficient, acceleration[d], velocity[d], displacement[d], dt));
   return change;
 }
 
 /// The torque of a changed force at `lever` (m), which moves at `lever_rate` (m/s). `product`(a, b,
-/// result) is that of vectors.
+/// d) is component d of that of two vectors.
 template <int of_torque, int of_force, class Product>
 inline ChangeOf<of_torque> torque_change(const double (&lever)[of_force],
                                          const double (&lever_rate)[of_force],
                                          const ChangeOf<of_force>& force, Product product) {
+  const ChangeMoments<const double*> moments = {force.now, force.rate, force.impulse,
+                                                force.impulse_integral};
   ChangeOf<of_torque> torque;
-  double of_rate[of_torque], of_impulse[of_torque];
-  product(lever, force.now, torque.now);
-  product(lever, force.rate, torque.rate);
-  product(lever_rate, force.now, of_rate);
-  // int (L - (t_now - t) L') x D dt, and the integral of the impulse is int (t_now - t) D dt
-  product(lever, force.impulse, torque.impulse);
-  product(lever_rate, force.impulse_integral, of_impulse);
-  product(lever, force.impulse_integral, torque.impulse_integral);
-  for (int d = 0; d < of_torque; ++d) {
-    torque.rate[d] += of_rate[d];
-    torque.impulse[d] -= of_impulse[d];
-  }
+  for (int d = 0; d < of_torque; ++d)
+    torque.set(d, torque_moments<double>(
+                      moments, [&](const double* of) { return product(lever, of, d); },
+                      [&](const double* of) { return product(lever_rate, of, d); }));
   return torque;
 }
 
 /// The torque of a changed force in space, from lever and lever rate.
 inline ForceChange torque_change(const double (&lever)[3], const double (&lever_rate)[3],
                                  const ForceChange& force) {
-  return torque_change<3>(lever, lever_rate, force, cross);
+  return torque_change<3>(lever, lever_rate, force, [](const double* a, const double* b, int d) {
+    const int e = (d + 1) % 3, f = (d + 2) % 3;
+    return a[e] * b[f] - a[f] * b[e];
+  });
 }
 
 /// The same in the plane.
 inline PlanarTorqueChange torque_change(const double (&lever)[2], const double (&lever_rate)[2],
                                         const PlanarForceChange& force) {
-  return torque_change<1>(lever, lever_rate, force,
-                          [](const double* a, const double* b, double* result) {
-                            result[0] = cross_z<double>({a[0], a[1]}, {b[0], b[1]});
-                          });
+  return torque_change<1>(lever, lever_rate, force, [](const double* a, const double* b, int) {
+    return cross_z<double>({a[0], a[1]}, {b[0], b[1]});
+  });
 }
 
 /// The part of a change in space that `count` components from `first` on make up.

@@ -125,7 +125,7 @@ class TotalCap {
     earlier_ = history_->earlier;
     if (alive && followed && followed->motion_changed(contact, changes_.jump)) {
       changes_.moved = true;
-      const ContactJumpComponent jump = component(changes_.jump, contact.en);
+      const JumpAlong<double> jump = component(changes_.jump, contact.en);
       before_ = viscoelastic_before(before_, contact.gamman, jump.velocity);
       earlier_ =
           viscoelastic_before(earlier_, contact.gamman, jump.velocity - dt * jump.acceleration);

@@ -112,9 +112,10 @@ inline void follow_bodies(const double* en, double dt, bool slid, ContactJump& j
   in_plane(en, jump.velocity);
   in_plane(en, jump.displacement);
   for (int d = 0; d < 3; ++d) {
-    follow_jump({jump.acceleration[d], jump.velocity[d], jump.displacement[d]}, dt, slid,
-                history.spring[d], std::min(history.known, history.slots),
-                [&](int k) -> double& { return history.velocity[k][d]; });
+    const JumpAlong<double> along = {jump.acceleration[d], jump.velocity[d], jump.displacement[d]};
+    history.spring[d] = spring_after(along, slid, history.spring[d]);
+    for (int k = 0; k < std::min(history.known, history.slots); ++k)
+      history.velocity[k][d] = velocity_after(along, k * dt, history.velocity[k][d]);
   }
 }
 

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Lasting contacts of bodies that had an event in the step before: what they could not know of its
+// jumps, and what their dashpots have missed (normal_history.h and tangential_history.h, along
+// normal and tangent). Included by kernel.h.
+
+/// The motion of the centres of both bodies of the contacts in a register, and where the spheres
+/// are from there.
+struct LaneBodies {
+  Vector2<Lanes> relative_velocity;  // of the centres
+  Vector2<Lanes> arm_i, arm_j;
+  Lanes spin_i, spin_j;
+  Lanes inverse_distance;  // of the spheres; 0 at a wall, whose normal does not turn
+};
+
+/// The changes of the motion of one side's surface at the contacts; x and y: of the spheres in the
+/// frames of their bodies, `length`: of the lever, for j with a minus sign.
+struct SideJump {
+  Vector2<Lanes> acceleration, velocity, displacement;
+};
+inline SideJump side_jump(BlockConstants& of, const double* x, const double* y, Lanes length,
+                          Vector2<Lanes> normal) {
+  Lanes ax, ay, aw, vx, vy, vw, dx, dy, dw, cosine, sine, none;
+  each_two(of, 0, ax, ay);
+  each_two(of, 2, aw, vx);
+  each_two(of, 4, vy, vw);
+  each_two(of, 6, dx, dy);
+  each_two(of, 8, dw, cosine);
+  each_two(of, 10, sine, none);
+  const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)}, a = {ax, ay}, v = {vx, vy},
+                       d = {dx, dy};
+  const Vector2<Lanes> lever = lever_in_plane(turned(cosine, sine, offset), length, normal);
+  return {velocity_at(a, aw, lever), velocity_at(v, vw, lever), velocity_at(d, dw, lever)};
+}
+
+/// Whether a body of the blocks had an event in the step before.
+inline bool have_jumped(const PlanarBlockHead* heads, const PlanarForceArguments& forces) {
+  if (!forces.jumped) return false;
+  int jumped = 0;
+  for (int b = 0; b < lane_blocks; ++b)
+    jumped |= forces.jumped[heads[b].i] | (heads[b].j < 0 ? 0 : forces.jumped[heads[b].j]);
+  return jumped != 0;
+}
+
+/// What the jumps of their bodies did to the contacts in a register, along normal and tangent.
+struct LaneJumps {
+  static constexpr bool any = true;
+  JumpAlong<Lanes> normal, tangential;
+  int lanes;  // of the blocks whose bodies have jumped; the others' jumps are 0
+
+  static LaneJumps of(const PlanarBlockHead* heads, const double* values, const LaneMotion& motion,
+                      const PlanarForceArguments& forces) {
+    static const PlanarJump none = PlanarJump();
+    const double *of_i[lane_blocks], *of_j[lane_blocks];
+    LaneJumps jumps;
+    jumps.lanes = 0;
+    for (int b = 0; b < lane_blocks; ++b) {
+      const int i = heads[b].i, j = heads[b].j;
+      const bool i_has = forces.jumped[i] != 0, j_has = j >= 0 && forces.jumped[j] != 0;
+      of_i[b] = reinterpret_cast<const double*>(i_has ? &forces.jumps[i] : &none);
+      of_j[b] = reinterpret_cast<const double*>(j_has ? &forces.jumps[j] : &none);
+      if (i_has || j_has) jumps.lanes |= all_of_block << b * planar_lanes;
+    }
+    const SideJump i =
+        side_jump(of_i, values + planar_xi, values + planar_yi, motion.length_i, motion.normal);
+    const SideJump j =
+        side_jump(of_j, values + planar_xj, values + planar_yj, -motion.length_j, motion.normal);
+    const auto between = [](Vector2<Lanes> a, Vector2<Lanes> b) {
+      return Vector2<Lanes>{a.x - b.x, a.y - b.y};
+    };
+    const Vector2<Lanes> a = between(i.acceleration, j.acceleration),
+                         v = between(i.velocity, j.velocity),
+                         d = between(i.displacement, j.displacement);
+    jumps.normal = {dot(a, motion.normal), dot(v, motion.normal), dot(d, motion.normal)};
+    jumps.tangential = {cross_z(motion.normal, a), cross_z(motion.normal, v),
+                        cross_z(motion.normal, d)};
+    return jumps;
+  }
+};
+
+/// Stands for the jumps of contacts whose bodies had none.
+struct NoJumps {
+  static constexpr bool any = false;
+  static NoJumps of(const PlanarBlockHead*, const double*, const LaneMotion&,
+                    const PlanarForceArguments&) {
+    return {};
+  }
+};
+
+/// Puts the jumps into what the contacts remember, `velocity` newest first. Returns the lanes with
+/// jumps that only the general path knows: those without a dashpot, and, under the cap of the whole
+/// normal force, slides, which learn of the jump through that force, and friction that begins anew.
+template <class Load>
+inline LaneMask follow_jumps(const LaneJumps& jumps, const double* values,
+                             const PlanarForceArguments& forces,
+                             LastingContact<LaneContacts>& contact,
+                             Lanes (&velocity)[max_multistep_order]) {
+  const Lanes zero = all_lanes(0.0);
+  for (int k = forces.order; k < forces.slots; ++k)
+    velocity[k] = load_lanes(values + forces.velocity[k]);
+  for (int k = 0; k < forces.slots; ++k)
+    velocity[k] = velocity_after(jumps.tangential, k * forces.dt, velocity[k]);
+  contact.spring_before = spring_after(jumps.tangential, contact.slid, contact.spring_before);
+  contact.viscoelastic_before = viscoelastic_before(contact.viscoelastic_before,
+                                                    contact.normal_damping, jumps.normal.velocity);
+  LaneMask unfit = ~lane_less(zero, contact.tangential_damping);
+  if (Load::damped) unfit = unfit | contact.slid | ~lane_less(zero, contact.viscoelastic_before);
+  return unfit & lanes_of_bits(jumps.lanes);
+}
+template <class Load>
+inline LaneMask follow_jumps(const NoJumps&, const double*, const PlanarForceArguments&,
+                             LastingContact<LaneContacts>&, Lanes (&)[max_multistep_order]) {
+  return lanes_of_bits(0);
+}
+
+/// The same moment of the change of a force along normal and tangent, in space.
+inline ChangeMoments<Vector2<Lanes>> moments_in_space(const ChangeMoments<Lanes>& normal,
+                                                      const ChangeMoments<Lanes>& tangential,
+                                                      Vector2<Lanes> axis) {
+  return {in_space(axis, normal.now, tangential.now), in_space(axis, normal.rate, tangential.rate),
+          in_space(axis, normal.impulse, tangential.impulse),
+          in_space(axis, normal.impulse_integral, tangential.impulse_integral)};
+}
+
+/// The torque of such a change at `lever`, about the centre of the body on `side` (1: i, -1: j);
+/// `spin` and `arm` of that side, `length` of the lever from the centre of the sphere.
+inline ChangeMoments<Lanes> torque_of(const ChangeMoments<Vector2<Lanes>>& force,
+                                      Vector2<Lanes> lever, double side, Lanes length, Lanes spin,
+                                      Vector2<Lanes> arm, const LaneMotion& motion,
+                                      Vector2<Lanes> turn) {
+  const Lanes zero = all_lanes(0.0);
+  const Vector2<Lanes> still = {zero, zero}, arm_rate = velocity_at(still, spin, arm);
+  const Vector2<Lanes> lever_rate = {
+      lever_rate_component(arm_rate.x, side, length, motion.separation_velocity, motion.normal.x,
+                           turn.x),
+      lever_rate_component(arm_rate.y, side, length, motion.separation_velocity, motion.normal.y,
+                           turn.y)};
+  return torque_moments<Lanes>(
+      force, [&](const Vector2<Lanes>& moment) { return cross_z(lever, moment); },
+      [&](const Vector2<Lanes>& moment) { return cross_z(lever_rate, moment); });
+}
+
+/// Adds up over the bodies by how much the dashpots of contacts that act have missed the jumps:
+/// those of the normal where the contact pushes, those of the tangent where it sticks.
+inline void report_jumps(const PlanarBlockHead* heads, const LaneMotion& motion,
+                         const LaneBodies& bodies, const double* values, const LaneForces& force,
+                         const LaneJumps& jumps, const PlanarForceArguments& forces) {
+  const int feel = force.acts & jumps.lanes & (force.pushes | ~force.slides);
+  if (feel == 0) return;
+  const double* gammas[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
+  const Lanes zero = all_lanes(0.0);
+  Lanes along_normal, along_tangent;
+  each_two(gammas, 0, along_normal, along_tangent);
+  along_normal = lane_choice(lanes_of_bits(feel & force.pushes), along_normal, zero);
+  along_tangent = lane_choice(lanes_of_bits(feel & ~force.slides), along_tangent, zero);
+  const auto moments = [&](Lanes damping, const JumpAlong<Lanes>& jump) {
+    return dashpot_moments(damping, jump.acceleration, jump.velocity, jump.displacement, forces.dt);
+  };
+  const ChangeMoments<Vector2<Lanes>> on_i =
+      moments_in_space(moments(along_normal, jumps.normal),
+                       moments(along_tangent, jumps.tangential), motion.normal);
+  const Vector2<Lanes> centres = velocity_at(
+      velocity_at(bodies.relative_velocity, bodies.spin_i, bodies.arm_i), -bodies.spin_j,
+      bodies.arm_j);
+  const auto turning = [&](Lanes relative, Lanes normal) {
+    return turning_rate_component(relative, motion.separation_velocity, normal,
+                                  bodies.inverse_distance);
+  };
+  const Vector2<Lanes> turn = {turning(centres.x, motion.normal.x),
+                               turning(centres.y, motion.normal.y)};
+  const ChangeMoments<Lanes> about_i = torque_of(on_i, motion.lever_i, 1.0, motion.length_i,
+                                                 bodies.spin_i, bodies.arm_i, motion, turn),
+                             about_j = torque_of(on_i, motion.lever_j, -1.0, motion.length_j,
+                                                 bodies.spin_j, bodies.arm_j, motion, turn);
+  PlanarChangeSums on_walls = PlanarChangeSums(), *of_i[lane_blocks], *of_j[lane_blocks];
+  for (int b = 0; b < lane_blocks; ++b) {
+    const int i = heads[b].i, j = heads[b].j;
+    of_i[b] = &forces.changes[i];
+    of_j[b] = j < 0 ? &on_walls : &forces.changes[j];
+    if ((feel >> b * planar_lanes & all_of_block) == 0) continue;
+    forces.changed[i] |= planar_changed;
+    if (j >= 0) forces.changed[j] |= planar_changed;
+  }
+  const auto add = [&](PlanarVector PlanarChangeSums::*moment, Vector2<Lanes> sum, Lanes of_i_side,
+                       Lanes of_j_side) {
+    double *to_i[lane_blocks], *to_j[lane_blocks];
+    for (int b = 0; b < lane_blocks; ++b) {
+      to_i[b] = (of_i[b]->*moment).d;
+      to_j[b] = (of_j[b]->*moment).d;
+    }
+    add_loads(sum.x, sum.y, of_i_side, of_j_side, to_i, to_j);
+  };
+  add(&PlanarChangeSums::now, on_i.now, about_i.now, about_j.now);
+  add(&PlanarChangeSums::rate, on_i.rate, about_i.rate, about_j.rate);
+  add(&PlanarChangeSums::impulse, on_i.impulse, about_i.impulse, about_j.impulse);
+  add(&PlanarChangeSums::impulse_integral, on_i.impulse_integral, about_i.impulse_integral,
+      about_j.impulse_integral);
+}
+inline void report_jumps(const PlanarBlockHead*, const LaneMotion&, const LaneBodies&,
+                         const double*, const LaneForces&, const NoJumps&,
+                         const PlanarForceArguments&) {}
