@@ -261,8 +261,8 @@ TEST(PlanarScene, MassScalingLeavesFreeCollisionsAsTheyAre) {
 // Loads of a heap that moves and of one that rests, and forces of its contacts, after some steps
 // from the same state; measured by the largest normal force. The origin is in the middle of the
 // heap: a position is exact to half a unit in its last place, which a stiff spring turns into a
-// difference of forces: 3.5e-18 m at 5 cm, times 1500 N/m, 5e-15 N for each of the some 16 contacts of a
-// rod. Ten times the weight makes this rounding small beside the bound, of 1.5e-13 N.
+// difference of forces: 3.5e-18 m at 5 cm, times 1500 N/m, 5e-15 N for each of the some 16 contacts
+// of a rod. Ten times the weight makes this rounding small beside the bound, of 1.5e-13 N.
 TEST(PlanarScene, AllInstructionsGiveTheSameForces) {
   for (const bool events : {false, true})
     for (const int order : {2, 3, 4}) {

@@ -17,9 +17,7 @@ class PlanarBodyFlags {
 
   void resize(int bodies) { flags_.resize(bodies, 0); }
   std::uint8_t operator[](int body) const { return flags_[body]; }
-  void set(int body, int flags) {
-    flags_[body] = static_cast<std::uint8_t>(flags_[body] | flags);
-  }
+  void set(int body, int flags) { flags_[body] = static_cast<std::uint8_t>(flags_[body] | flags); }
   /// The flags themselves, for the SIMD loops.
   std::uint8_t* data() { return flags_.data(); }
 

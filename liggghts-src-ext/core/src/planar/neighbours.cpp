@@ -187,13 +187,12 @@ void PlanarNeighbours::list_walls(int i) {
   }
 }
 
-/// Sees to it that all candidates of i and j, one of which is `other`, stand in blocks. Spheres that
-/// are no candidates are at least `skins` (m) apart.
+/// Sees to it that all candidates of i and j, one of which is `other`, stand in blocks. Spheres
+/// that are no candidates are at least `skins` (m) apart.
 void PlanarNeighbours::set_blocks(int i, int j, int other, double skins) {
   std::vector<ListedBlock>& listed = work_.blocks;
-  const auto of_pair = std::partition(listed.begin(), listed.end(), [&](const ListedBlock& block) {
-    return block.other != other;
-  });
+  const auto of_pair = std::partition(
+      listed.begin(), listed.end(), [&](const ListedBlock& block) { return block.other != other; });
   if (of_pair == listed.end() || !renew_gaps(of_pair, j, skins)) {
     work_.contacts.clear();
     for (auto block = of_pair; block != listed.end(); ++block)
@@ -220,7 +219,8 @@ bool PlanarNeighbours::renew_gaps(std::vector<ListedBlock>::const_iterator of_pa
     for (int lane = 0; lane < planar_lanes; ++lane) {
       if (!(head.used & 1 << lane)) continue;
       for (const PlanarCandidate& candidate : work_.candidates)
-        if (candidate.sphere_i == cold.sphere_i[lane] && candidate.sphere_j == cold.sphere_j[lane]) {
+        if (candidate.sphere_i == cold.sphere_i[lane] &&
+            candidate.sphere_j == cold.sphere_j[lane]) {
           gap = std::min(gap, candidate.gap);
           any = true;
           ++found;

@@ -75,8 +75,8 @@ inline void set_constants(int first, const double* values, const PlanarForceArgu
 }
 
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
-/// step. `sliding`: lanes that slid; becomes those that do. `Load`: of the cap of friction. `Jumps`:
-/// what is known of the jumps of the bodies.
+/// step. `sliding`: lanes that slid; becomes those that do. `Load`: of the cap of friction.
+/// `Jumps`: what is known of the jumps of the bodies.
 template <class Load, class Jumps>
 inline LaneForces lasting_forces(int first, double* values, const LaneMotion& motion, int lasting,
                                  int& sliding, const Jumps& jumps,

@@ -156,12 +156,11 @@ inline void report_jumps(const PlanarBlockHead* heads, const LaneMotion& motion,
   const auto moments = [&](Lanes damping, const JumpAlong<Lanes>& jump) {
     return dashpot_moments(damping, jump.acceleration, jump.velocity, jump.displacement, forces.dt);
   };
-  const ChangeMoments<Vector2<Lanes>> on_i =
-      moments_in_space(moments(along_normal, jumps.normal),
-                       moments(along_tangent, jumps.tangential), motion.normal);
-  const Vector2<Lanes> centres = velocity_at(
-      velocity_at(bodies.relative_velocity, bodies.spin_i, bodies.arm_i), -bodies.spin_j,
-      bodies.arm_j);
+  const ChangeMoments<Vector2<Lanes>> on_i = moments_in_space(
+      moments(along_normal, jumps.normal), moments(along_tangent, jumps.tangential), motion.normal);
+  const Vector2<Lanes> centres =
+      velocity_at(velocity_at(bodies.relative_velocity, bodies.spin_i, bodies.arm_i),
+                  -bodies.spin_j, bodies.arm_j);
   const auto turning = [&](Lanes relative, Lanes normal) {
     return turning_rate_component(relative, motion.separation_velocity, normal,
                                   bodies.inverse_distance);

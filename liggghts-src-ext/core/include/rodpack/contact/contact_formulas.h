@@ -68,8 +68,8 @@ inline Vector2<Real> velocity_at(Vector2<Real> velocity, Real spin, Vector2<Real
   return {velocity.x - spin * lever.y, velocity.y + spin * lever.x};
 }
 
-/// Component of the rate at which the normal of two spheres turns, 1/s: from that of the velocity of
-/// their centres relative to each other, their velocity of separation and the inverse of their
+/// Component of the rate at which the normal of two spheres turns, 1/s: from that of the velocity
+/// of their centres relative to each other, their velocity of separation and the inverse of their
 /// distance.
 template <class Real>
 inline Real turning_rate_component(Real relative, Real separation_velocity, Real normal,

@@ -59,10 +59,9 @@ inline bool touched_in_step(const Contact& contact, double dt) {
 template <class Contact, int components>
 inline void normal_turning_rate(const Contact& contact, double (&rate)[components]) {
   for (int d = 0; d < components; ++d)
-    rate[d] = contact.is_wall
-                  ? 0.0
-                  : turning_rate_component(contact.v_i[d] - contact.v_j[d], contact.vn,
-                                           contact.en[d], contact.rinv);
+    rate[d] = contact.is_wall ? 0.0
+                              : turning_rate_component(contact.v_i[d] - contact.v_j[d], contact.vn,
+                                                       contact.en[d], contact.rinv);
 }
 
 /// Distance from the centre of the sphere on a side to the contact: `side` is 1 for i, from which
