@@ -89,6 +89,15 @@ struct Contacts {
       }
   }
 
+  /// Lets the contacts of the rods have pulled with this force (N) when they were last evaluated.
+  void pull(double force) {
+    PlanarBlockPool& pool = blocks.pairs();
+    for (int place = 0; place < pool.size(); ++place)
+      for (int lane = 0; lane < planar_lanes; ++lane)
+        if (pool.head(place).alive & 1 << lane)
+          pool.mutable_values(place)[planar_viscoelastic + lane] = -force;
+  }
+
   /// Leaves all contacts to the general path.
   void forget_full_history() {
     for (PlanarBlockPool* pool : {&blocks.pairs(), &blocks.at_walls()})
@@ -227,6 +236,29 @@ TEST(PlanarForceEvaluator, FastPathAfterAJumpAgreesWithTheGeneralOne) {
             EXPECT_EQ(changed_bodies(fast.events).size(), 2u) << "the dashpots learn of the jump";
             expect_same(fast, general, branch);
           }
+}
+
+// At the last evaluation the contacts of the rods pulled a little, so that their normal force was
+// cut off; had they known of the jump, they would have pushed, as they do now. The force has come
+// back within the step, which is an event, whatever the jump has made of the record.
+TEST(PlanarForceEvaluator, AJumpDoesNotHideThatAForceComesBack) {
+  for (const PlanarInstructions instructions : available_planar_instructions())
+    for (const bool total_cap : {false, true}) {
+      Contacts fast(stuck, 3, instructions, total_cap), general(stuck, 3, instructions, total_cap);
+      for (Contacts* contacts : {&fast, &general}) {
+        contacts->pull(5e-6);
+        const PlanarKinematics& upper = contacts->bodies.kinematics(1);
+        contacts->events.set_jumped(
+            1, {{0, -20, 0}, {0, -2e-4, 0}, {0, -1e-9, 0}, upper.cosine, upper.sine});
+      }
+      general.forget_full_history();
+      for (Contacts* contacts : {&fast, &general}) contacts->evaluate();
+      EXPECT_EQ(fast.evaluator.general_contacts(), 9);
+      expect_same(fast, general, stuck);
+      // Nine springs have begun to push the lower rod down; their dashpots make 2 % of it.
+      const double springs = 9 * paper.kn * overlap;
+      EXPECT_NEAR(fast.events.change(0).force.now[1], -springs, 0.03 * springs);
+    }
 }
 
 }  // namespace rodpack

@@ -92,7 +92,8 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   contact.slid = lanes_of_bits(sliding);
   Lanes velocity[max_multistep_order];
   for (int k = 0; k < forces.order; ++k) velocity[k] = load_lanes(values + forces.velocity[k]);
-  const LaneMask unfit = follow_jumps<Load>(jumps, values, forces, contact, velocity);
+  Lanes before = contact.viscoelastic_before;
+  const LaneMask unfit = follow_jumps<Load>(jumps, values, forces, contact, before, velocity);
   contact.spring = contact.spring_before;
   for (int k = 0; k < forces.order; ++k) contact.spring += forces.spring_weights[k] * velocity[k];
   const LastingForce<LaneContacts> force = lasting_force<Load>(contact, zero, forces.follows);
@@ -111,7 +112,7 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   result.normal = lane_choice(acts, force.normal, zero);
   result.tangential = lane_choice(acts, force.tangential, zero);
   keep_lanes(acts, values + planar_spring, force.spring);
-  if (Load::damped) keep_lanes(acts, values + forces.earlier, contact.viscoelastic_before);
+  if (Load::damped) keep_lanes(acts, values + forces.earlier, before);
   keep_lanes(acts, values + planar_viscoelastic, force.viscoelastic);
   if (Jumps::any)
     for (int k = 0; k < forces.slots; ++k)

@@ -86,13 +86,15 @@ struct NoJumps {
   }
 };
 
-/// Puts the jumps into what the contacts remember, `velocity` newest first. Returns the lanes with
-/// jumps that only the general path knows: those without a dashpot, and, under the cap of the whole
-/// normal force, slides, which learn of the jump through that force, and friction that begins anew.
+/// Puts the jumps into what the contacts remember, `velocity` newest first. The viscoelastic force
+/// of the last evaluation stays in `contact`, as it tells which branch the contact was on; `before`
+/// becomes what it would have been, had the dashpot known. Returns the lanes with jumps that only
+/// the general path knows: those without a dashpot, and, under the cap of the whole normal force,
+/// slides, which learn of the jump through that force, and friction that begins anew.
 template <class Load>
 inline LaneMask follow_jumps(const LaneJumps& jumps, const double* values,
                              const PlanarForceArguments& forces,
-                             LastingContact<LaneContacts>& contact,
+                             LastingContact<LaneContacts>& contact, Lanes& before,
                              Lanes (&velocity)[max_multistep_order]) {
   const Lanes zero = all_lanes(0.0);
   for (int k = forces.order; k < forces.slots; ++k)
@@ -100,15 +102,16 @@ inline LaneMask follow_jumps(const LaneJumps& jumps, const double* values,
   for (int k = 0; k < forces.slots; ++k)
     velocity[k] = velocity_after(jumps.tangential, k * forces.dt, velocity[k]);
   contact.spring_before = spring_after(jumps.tangential, contact.slid, contact.spring_before);
-  contact.viscoelastic_before = viscoelastic_before(contact.viscoelastic_before,
-                                                    contact.normal_damping, jumps.normal.velocity);
+  before = viscoelastic_before(contact.viscoelastic_before, contact.normal_damping,
+                               jumps.normal.velocity);
   LaneMask unfit = ~lane_less(zero, contact.tangential_damping);
-  if (Load::damped) unfit = unfit | contact.slid | ~lane_less(zero, contact.viscoelastic_before);
+  if (Load::damped) unfit = unfit | contact.slid | ~lane_less(zero, before);
   return unfit & lanes_of_bits(jumps.lanes);
 }
 template <class Load>
 inline LaneMask follow_jumps(const NoJumps&, const double*, const PlanarForceArguments&,
-                             LastingContact<LaneContacts>&, Lanes (&)[max_multistep_order]) {
+                             LastingContact<LaneContacts>&, Lanes&,
+                             Lanes (&)[max_multistep_order]) {
   return lanes_of_bits(0);
 }
 
