@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "campaigns/beds/beds.h"
 #include "campaigns/launch/deck_folder.h"
@@ -75,6 +76,21 @@ void require_scenes_of(const std::vector<CLI::Option*>& options, bool there,
                                  "expected with " + scenes + ", found none in the list of scenes");
 }
 
+/// What compares surfaces, and the report on all comparisons together, know the paper's rods alone.
+void require_paper_rods(const AccuracySettings& settings) {
+  const BedScene paper;
+  const auto& names = settings.bed_comparisons;
+  const bool none = names.empty();
+  if (!none && std::find(names.begin(), names.end(), "surface") == names.end()) return;
+  for (const auto& [option, given] :
+       {std::pair("--aspect-ratio", settings.bed_scene.aspect_ratio != paper.aspect_ratio),
+        std::pair("--surface", settings.bed_scene.surface != paper.surface)})
+    if (given)
+      throw CLI::ValidationError(
+          option, std::string("expected with --comparisons other than surface, found ") +
+                      (none ? "no --comparisons" : "surface"));
+}
+
 /// Checks the settings before anything runs. @throws CLI::ValidationError naming what cannot be
 /// run.
 void check(const AccuracySettings& settings) {
@@ -82,8 +98,9 @@ void check(const AccuracySettings& settings) {
   require_each_once("--methods", settings.methods);
   require_each_once("--steps", settings.steps);
   require_each_once("--comparisons", settings.bed_comparisons);
+  require_paper_rods(settings);
   try {
-    bed_comparisons(settings.bed_methods, settings.bed_comparisons);
+    bed_comparisons(settings.bed_methods, settings.bed_comparisons, settings.bed_scene);
   } catch (const DataError& error) {
     throw CLI::ValidationError(error.what());
   }
@@ -106,9 +123,10 @@ std::vector<CLI::Option*> add_bed_options(CLI::App& command, AccuracySettings& s
                     ->type_name("N");
   auto* comparisons =
       command
-          .add_option("--comparisons", settings.bed_comparisons,
-                      "what beds compare: surface,planar,engine,stiffness,step_METHOD,frontier "
-                      "[default: all]")
+          .add_option(
+              "--comparisons", settings.bed_comparisons,
+              "what beds compare: surface,planar,engine,stiffness,step_METHOD,frontier,economy,"
+              "presets [default: all]")
           ->delimiter(',')
           ->type_name("LIST");
   auto* lines = command.add_option("--lines", settings.bed_scene.lines, "lines of rods in a bed")
@@ -120,7 +138,18 @@ std::vector<CLI::Option*> add_bed_options(CLI::App& command, AccuracySettings& s
           ->check(whole_number(1, 10000))
           ->capture_default_str()
           ->type_name("N");
-  return {seeds, comparisons, lines, per_line};
+  auto* aspect_ratio = command
+                           .add_option("--aspect-ratio", settings.bed_scene.aspect_ratio,
+                                       "of the rods of a bed, with --comparisons")
+                           ->check(number(1.5, 100))
+                           ->capture_default_str()
+                           ->type_name("AR");
+  auto* surface = command
+                      .add_option("--surface", settings.bed_scene.surface,
+                                  "of these rods, with --comparisons other than surface")
+                      ->check(one_of(std::vector<std::string>{"smooth", "coarse"}))
+                      ->capture_default_str();
+  return {seeds, comparisons, lines, per_line, aspect_ratio, surface};
 }
 
 void add_places(CLI::App& command, AccuracyArguments& arguments) {

@@ -363,6 +363,11 @@ TEST_F(AccuracyRun, WrongCommandLinesNameTheValue) {
         {"--steps 28,30,28", "--steps: expected each once, found '28' twice"},
         {"--comparisons engine,engine", "--comparisons: expected each once, found 'engine' twice"},
         {"--scenes spin_3d --comparisons engine", "--comparisons: expected with the scene beds"},
+        {"--scenes beds --aspect-ratio 2",
+         "--aspect-ratio: expected with --comparisons other than surface, found no --comparisons"},
+        {"--scenes beds --surface coarse --comparisons surface",
+         "--surface: expected with --comparisons other than surface, found surface"},
+        {"--surface rough", "--surface: expected one of smooth, coarse, found 'rough'"},
         {"--quick --seeds 2", "--seeds: expected with the scene beds"},
         {"--scenes stability --per-line 2", "--per-line: expected with the scene beds"},
         {"--scenes beds --steps 28", "--steps: expected with a scene other than beds"}}) {

@@ -194,7 +194,7 @@ TEST(Beds, ComparisonsCanBeChosen) {
 
 TEST(Beds, ComparisonsVaryOneThing) {
   const auto all = bed_comparisons({"builtin", "ab3"});
-  ASSERT_EQ(all.size(), 8u);
+  ASSERT_EQ(all.size(), 9u);
   for (const auto& comparison : all) {
     bool has_paper = false;
     for (const auto& model : comparison.models) {
@@ -207,6 +207,8 @@ TEST(Beds, ComparisonsVaryOneThing) {
       }
       EXPECT_TRUE(model.stiffness == 2000 || comparison.name == "stiffness");
       EXPECT_TRUE(model.overlap == 0.5 || comparison.name == "surface");
+      EXPECT_TRUE(!(model.mass_scaling > 0) || comparison.name == "economy" ||
+                  comparison.name == "presets");
     }
     EXPECT_EQ(has_paper, comparison.name.rfind("step_", 0) != 0) << comparison.name;
   }
@@ -223,6 +225,29 @@ TEST(Beds, FrontierIsByTheEngineAndHeldAgainstHalfThePapersStep) {
   const auto economy = bed_comparisons({}, {"economy"}).front();
   EXPECT_TRUE(economy.by_engine());
   EXPECT_TRUE(economy.models.back() == paper_model(true));
+}
+
+// The step of `economy` is 0.9 y(S eta) / (S omega_0), with omega_0^2 = 2 k / m of a pair: it goes
+// with the square root of the mass, which goes with the area: of a capsule with grooves. Coarse
+// rods of AR = 2 are two discs side by side, those of AR = 3 three; the smooth rods of AR = 5 have
+// the step that the deck takes for them.
+TEST(Beds, PresetsKnowTheRodsOfTheScene) {
+  BedScene two, three;
+  two.aspect_ratio = 2;
+  three.aspect_ratio = 3;
+  two.surface = three.surface = "coarse";
+  const auto of = [](const BedScene& scene) {
+    return bed_comparisons({}, {"presets"}, scene).front();
+  };
+  for (const BedModel& model : of(two).models) EXPECT_EQ(model.overlap, 0);
+  EXPECT_TRUE(of(two).models[1] == paper_model(true, two));
+  EXPECT_NEAR(of(three).models[0].step / of(two).models[0].step, std::sqrt(1.5), 1e-12);
+  const BedModel economy = of({}).models[0];
+  EXPECT_EQ(economy.method, "ab2");
+  EXPECT_EQ(economy.mass_scaling, 5);
+  EXPECT_NEAR(economy.step, 6.1e-5, 0.05e-5);
+  for (const BedModel& model : bed_comparisons({}, {"frontier"}, two).front().models)
+    EXPECT_EQ(model.overlap, 0);
 }
 
 // A step of the paper's model takes 5e-5 s by the engine and ten times that without: twice its step

@@ -76,11 +76,17 @@ struct AccuracyRow {
   double seconds = 0;  // of the run's loop
 };
 
+constexpr double rod_diameter = 3e-3;  ///< of the rods of a bed, m, as in the deck
+
 /// Where the rods of a bed fall (inputs/accuracy/in.bed), line above line.
 struct BedScene {
   int lines = 12, per_line = 5;
+  double aspect_ratio = 5;
+  std::string surface = "smooth";  // or coarse: primary spheres that do not overlap
   int rods() const { return lines * per_line; }
-  double width() const { return 0.016 * per_line; }                           // m
+  double overlap() const { return surface == "coarse" ? 0.0 : 0.5; }          // in diameters
+  double length() const { return aspect_ratio * rod_diameter; }               // of a rod, m
+  double width() const { return (length() + 1e-3) * per_line; }               // m
   double duration() const { return 0.55 + 0.55 * std::max(lines, 12) / 12; }  // s
 };
 

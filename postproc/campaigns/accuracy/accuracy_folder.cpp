@@ -24,7 +24,9 @@ nlohmann::json common(const AccuracySettings& settings) {
           {"repeats", settings.repeats},
           {"timed_steps", settings.timed_steps},
           {"bed_lines", settings.bed_scene.lines},
-          {"bed_per_line", settings.bed_scene.per_line}};
+          {"bed_per_line", settings.bed_scene.per_line},
+          {"bed_aspect_ratio", settings.bed_scene.aspect_ratio},
+          {"bed_surface", settings.bed_scene.surface}};
 }
 
 bool has_rows(const std::string& file) {

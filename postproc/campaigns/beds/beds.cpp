@@ -8,6 +8,8 @@
 #include "reading/csv_file.h"
 #include "reading/data_error.h"
 #include "reading/number_text.h"
+#include "rodpack/geometry/mass_properties.h"
+#include "rodpack/motion/mass_scaling.h"
 
 namespace rodpack {
 namespace {
@@ -41,6 +43,9 @@ std::string header() {
 // paper's.
 const double compared_steps[] = {6.6e-5, 4.4e-5, 3.3e-5, 2.75e-5, 2.2e-5, 1.65e-5, 1.1e-5, 0.55e-5};
 
+// Of the deck.
+constexpr double density = 2500, damping_ratio = 0.2;
+
 bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b); }
 
 }  // namespace
@@ -51,9 +56,10 @@ bool BedModel::operator==(const BedModel& other) const {
          close(overlap, other.overlap) && close(stiffness, other.stiffness);
 }
 
-BedModel paper_model(bool engine) {
+BedModel paper_model(bool engine, const BedScene& scene) {
   BedModel model;
   model.engine = engine;
+  model.overlap = scene.overlap();
   return model;
 }
 
@@ -107,7 +113,25 @@ BedComparison economy() {
   return economy;
 }
 
-std::vector<BedComparison> all_comparisons(const std::vector<std::string>& methods) {
+/// The presets of the deposition's deck, and the paper's method at half its step.
+BedComparison presets(const BedScene& scene) {
+  const ChainShape shape = {scene.aspect_ratio, rod_diameter, scene.overlap(), 0, rod_diameter};
+  const double mass = mass_properties(shape, density, MassRule::reference, false).mass;
+  BedModel economy = paper_model(true, scene);
+  economy.method = "ab2";
+  economy.mass_scaling = 5;
+  // As `timestep auto` takes it.
+  economy.step = 0.9 * mass_scaled_timestep_limit(2, economy.mass_scaling,
+                                                  {0.5 * economy.stiffness, damping_ratio, mass});
+  BedModel finest = paper_model(true, scene);
+  finest.step = 0.5 * paper_step;
+  return {"presets",
+          "Do the presets of the deposition give the same beds?",
+          {economy, paper_model(true, scene), finest}};
+}
+
+std::vector<BedComparison> all_comparisons(const std::vector<std::string>& methods,
+                                           const BedScene& scene) {
   const BedModel paper;
   std::vector<BedComparison> all;
 
@@ -158,6 +182,10 @@ std::vector<BedComparison> all_comparisons(const std::vector<std::string>& metho
   }
   all.push_back(frontier());
   all.push_back(economy());
+  for (BedComparison& comparison : all)
+    if (comparison.name != "surface")
+      for (BedModel& model : comparison.models) model.overlap = scene.overlap();
+  all.push_back(presets(scene));
   return all;
 }
 
@@ -169,8 +197,9 @@ std::string motion_text(const BedModel& model) {
 }  // namespace
 
 std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
-                                           const std::vector<std::string>& only) {
-  const auto all = all_comparisons(methods);
+                                           const std::vector<std::string>& only,
+                                           const BedScene& scene) {
+  const auto all = all_comparisons(methods, scene);
   if (only.empty()) return all;
   std::vector<BedComparison> chosen;
   for (const auto& name : only) {

@@ -12,8 +12,6 @@
 
 namespace rodpack {
 
-constexpr double rod_diameter = 3e-3;  ///< m, as in the deck
-
 /// How a bed is modelled. The defaults are the paper's, with events.
 struct BedModel {
   std::string method = "ab3e";  // as accuracy_method() takes it
@@ -26,8 +24,8 @@ struct BedModel {
 
   bool operator==(const BedModel& other) const;
 };
-/// The paper's model, by the engine or not; costs are relative to its.
-BedModel paper_model(bool engine);
+/// The paper's model of the rods of a scene, by the engine or not; costs are relative to its.
+BedModel paper_model(bool engine, const BedScene& scene = {});
 
 /// A bed at the end of its run. Means are over what is in the container.
 struct BedRow {
@@ -62,10 +60,11 @@ struct BedComparison {
   bool by_engine() const;  // all of them
 };
 /// Lists the comparisons surface, planar, engine, stiffness, a `step_METHOD` for each of `methods`,
-/// frontier and economy; those of `only`, if it names any. @throws DataError for a name that is
-/// none.
+/// frontier, economy and presets, for the rods of a scene; those of `only`, if it names any.
+/// @throws DataError for a name that is none.
 std::vector<BedComparison> bed_comparisons(const std::vector<std::string>& methods,
-                                           const std::vector<std::string>& only = {});
+                                           const std::vector<std::string>& only = {},
+                                           const BedScene& scene = {});
 
 /// Runs one bed in `folder`/work. @throws DataError when the run fails.
 BedRow run_bed(const AccuracySettings& settings, const std::string& folder, const BedModel& model,

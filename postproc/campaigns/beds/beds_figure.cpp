@@ -161,9 +161,10 @@ std::string colour_of(const BedModel& model) {
   return model.mass_scaling < 4 ? "#CC79A7" : model.mass_scaling < 5 ? "#E69F00" : "#56B4E9";
 }
 
-void draw_frontier(const std::vector<BedRow>& rows, const BedComparison& comparison, int rods,
-                   const std::string& folder) {
-  const double base = bed_cost(rows, paper_model(comparison.by_engine()));
+void draw_frontier(const std::vector<BedRow>& rows, const BedComparison& comparison,
+                   const BedScene& scene, const std::string& folder) {
+  const int rods = scene.rods();
+  const double base = bed_cost(rows, paper_model(comparison.by_engine(), scene));
   if (!(base > 0)) return;
   const auto x = [&](const BedModel& model) { return bed_cost(rows, model) / base; };
   const int points[] = {5, 7, 9, 11, 13};
@@ -263,12 +264,13 @@ void draw_stiffness(const std::vector<BedRow>& rows, const std::vector<BedModel>
 void draw_beds(const std::vector<BedRow>& rows, const AccuracySettings& settings,
                const std::string& folder) {
   const int rods = settings.bed_scene.rods();
-  const auto comparisons = bed_comparisons(settings.bed_methods, settings.bed_comparisons);
+  const auto comparisons =
+      bed_comparisons(settings.bed_methods, settings.bed_comparisons, settings.bed_scene);
   for (const auto& comparison : comparisons) {
     if (comparison.name == "surface") draw_surface(rows, comparison.models, rods, folder);
     if (comparison.name == "stiffness") draw_stiffness(rows, comparison.models, rods, folder);
     if (comparison.name == "frontier" || comparison.name == "economy")
-      draw_frontier(rows, comparison, rods, folder);
+      draw_frontier(rows, comparison, settings.bed_scene, folder);
   }
   const bool steps = std::any_of(
       comparisons.begin(), comparisons.end(),

@@ -13,7 +13,7 @@ namespace {
 
 using RowList = std::vector<BedRow>;
 
-constexpr double aspect_ratio = 5;  // of the deck's rods
+constexpr double aspect_ratio = 5;  // of the paper's rods, which surfaces are compared with
 
 /// Writes a mean with as many digits as its error tells: down to the error's second one.
 std::string text(const SeedMean& mean) {
@@ -28,8 +28,8 @@ std::string text(const SeedMean& mean) {
   return buffer;
 }
 
-int spheres(double overlap) {
-  return sphere_count({aspect_ratio, rod_diameter, overlap, 0, rod_diameter});
+int spheres(double overlap, double of_rod = aspect_ratio) {
+  return sphere_count({of_rod, rod_diameter, overlap, 0, rod_diameter});
 }
 
 std::string microseconds(double step) { return number_text(1e6 * step, 3); }
@@ -44,9 +44,9 @@ std::string integrator(const BedModel& model) {
                                     : " 3D");
 }
 
-std::string bodies(const BedModel& model) {
-  return std::to_string(spheres(model.overlap)) + " spheres, " + number_text(model.stiffness) +
-         " N/m";
+std::string bodies(const BedModel& model, const BedScene& scene = {}) {
+  return std::to_string(spheres(model.overlap, scene.aspect_ratio)) + " spheres, " +
+         number_text(model.stiffness) + " N/m";
 }
 
 std::string ratio(double cost, double base) {
@@ -67,7 +67,9 @@ std::string error_text(const BedSummary& summary, std::size_t quantity) {
   return summary.at_rest == 0 ? "not at rest" : text(summary.differences[quantity]);
 }
 
-std::string comparison_table(const RowList& rows, const BedComparison& comparison, int rods) {
+std::string comparison_table(const RowList& rows, const BedComparison& comparison,
+                             const BedScene& scene) {
+  const int rods = scene.rods();
   const auto summaries = summarise_beds(rows, comparison, rods);
   if (summaries.empty()) return "";
   std::string table = "\n### " + comparison.question +
@@ -79,18 +81,20 @@ std::string comparison_table(const RowList& rows, const BedComparison& compariso
     const auto& model = summary.model;
     const auto mean = [&](auto value) { return resting_mean(rows, model, rods, value); };
     const auto limit = mean([](const BedRow& r) { return r.step_over_limit; });
-    table += "| " + integrator(model) + " | " + microseconds(model.step) + " | " + bodies(model) +
-             " | " + std::to_string(summary.at_rest) + " of " + std::to_string(summary.runs);
+    table += "| " + integrator(model) + " | " + microseconds(model.step) + " | " +
+             bodies(model, scene) + " | " + std::to_string(summary.at_rest) + " of " +
+             std::to_string(summary.runs);
     for (const auto& value : summary.means) table += " | " + text(value);
-    table += " | " + text(mean([](const BedRow& r) { return r.contacts; })) + " | " +
-             text(mean([](const BedRow& r) { return 100 * r.overlap; })) + " | " +
-             text(mean([](const BedRow& r) {
-               return r.mean_force > 0 ? r.largest_force / r.mean_force : 0;
-             })) +
-             " | " + (summary.at_rest > 0 ? number_text(limit.value, 2) : "–") + " | " +
-             difference_text(summary, &summary == &summaries.back()) + " | " +
-             ratio(bed_cost(rows, model), bed_cost(rows, paper_model(comparison.by_engine()))) +
-             " |\n";
+    table +=
+        " | " + text(mean([](const BedRow& r) { return r.contacts; })) + " | " +
+        text(mean([](const BedRow& r) { return 100 * r.overlap; })) + " | " +
+        text(mean([](const BedRow& r) {
+          return r.mean_force > 0 ? r.largest_force / r.mean_force : 0;
+        })) +
+        " | " + (summary.at_rest > 0 ? number_text(limit.value, 2) : "–") + " | " +
+        difference_text(summary, &summary == &summaries.back()) + " | " +
+        ratio(bed_cost(rows, model), bed_cost(rows, paper_model(comparison.by_engine(), scene))) +
+        " |\n";
   }
   return table;
 }
@@ -213,7 +217,8 @@ std::string beds_section(const RowList& rows, const AccuracySettings& settings) 
   std::set<int> seeds;
   for (const auto& row : rows) seeds.insert(row.seed);
   std::string section =
-      "\n## Beds at rest\n" + std::to_string(scene.rods()) + " rods (AR 5) fall into a container " +
+      "\n## Beds at rest\n" + std::to_string(scene.rods()) + " " + scene.surface + " rods (AR " +
+      number_text(scene.aspect_ratio) + ") fall into a container " +
       number_text(1e3 * scene.width()) + " mm wide and rest after " +
       number_text(scene.duration()) + " s; means over " + std::to_string(seeds.size()) +
       " seeds with standard errors, over the runs at rest: all rods there, E_k ≤ 1e-5 E_p, floor "
@@ -226,12 +231,13 @@ std::string beds_section(const RowList& rows, const AccuracySettings& settings) 
       "seed: "
       "the start makes much of the scatter, so that differences are known better than means.\n"
       "- cost: processor time per simulated second, median over the seeds, over that of the "
-      "paper's model (ab3e planar, 11 µs, 9 spheres, 2000 N/m)" +
-      seconds_text(bed_cost(rows, paper_model(false))) +
+      "paper's model (ab3e planar, 11 µs, 2000 N/m)" +
+      seconds_text(bed_cost(rows, paper_model(false, scene))) +
       "; where all models are the engine's, over that by the engine" +
-      seconds_text(bed_cost(rows, paper_model(true))) + ".\n";
-  for (const auto& comparison : bed_comparisons(settings.bed_methods, settings.bed_comparisons))
-    section += comparison_table(rows, comparison, scene.rods());
+      seconds_text(bed_cost(rows, paper_model(true, scene))) + ".\n";
+  for (const auto& comparison :
+       bed_comparisons(settings.bed_methods, settings.bed_comparisons, scene))
+    section += comparison_table(rows, comparison, scene);
   if (!settings.bed_comparisons.empty()) return section;
   return section + step_table(rows, settings.bed_methods, scene.rods()) +
          surface_table(rows, scene.rods()) +

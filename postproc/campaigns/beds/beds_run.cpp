@@ -119,6 +119,7 @@ BedRow run_bed(const AccuracySettings& settings, const std::string& folder, cons
                                                                    : " planar no")},
                      {"dt", number_text(model.step, 17)},
                      {"steps", std::to_string(row.steps)},
+                     {"aspect_ratio", number_text(scene.aspect_ratio, 17)},
                      {"width", number_text(scene.width(), 17)},
                      {"lines", std::to_string(scene.lines)},
                      {"per_line", std::to_string(scene.per_line)},
@@ -137,7 +138,8 @@ std::vector<BedRow> measure_beds(const AccuracySettings& settings, const std::st
   const std::string file = folder + "/beds.csv";
   const auto known = read_bed_rows(file);
   std::vector<BedModel> models;
-  for (const auto& comparison : bed_comparisons(settings.bed_methods, settings.bed_comparisons))
+  for (const auto& comparison :
+       bed_comparisons(settings.bed_methods, settings.bed_comparisons, settings.bed_scene))
     for (const auto& model : comparison.models)
       if (std::find(models.begin(), models.end(), model) == models.end()) models.push_back(model);
   std::vector<BedRow> rows;
