@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -122,6 +123,50 @@ TEST(PlanarNeighbours, ABodyThatIsListedAnewHasTheListsOfWhereItIs) {
   scene.neighbours.list_anew(all);
   EXPECT_EQ(scene.listed(), fresh.listed());
   EXPECT_EQ(scene.neighbours.listings(), 30);
+}
+
+// Bodies that wander are listed anew one after the other. All sphere pairs within both skins are
+// always there; a block may keep further ones, but no gap is taken for larger than it is, and none
+// is empty of what is near.
+TEST(PlanarNeighbours, ListsFollowBodiesThatWander) {
+  Scene scene(settings_of(), cloud(60));
+  scene.neighbours.list_all();
+  std::mt19937 random(4);
+  std::normal_distribution<double> shift(0.0, 2e-4);
+  int kept = 0, made = 0;
+  for (int round = 0; round < 10; ++round)
+    for (int b = 0; b < 60; ++b) {
+      PlanarKinematics moved = scene.bodies.kinematics(b);
+      moved.x += shift(random);
+      moved.y += shift(random);
+      scene.bodies.move_ghost(b, moved);
+      const std::vector<int> before = scene.blocks.pairs().of_body(b);
+      scene.neighbours.list_anew({b});
+      const std::vector<int>& after = scene.blocks.pairs().of_body(b);
+      for (const int place : after)
+        ++(std::find(before.begin(), before.end(), place) != before.end() ? kept : made);
+    }
+  EXPECT_GT(kept, 1000);
+  EXPECT_GT(made, 50);
+  const std::set<std::vector<int>> listed = scene.listed();
+  for (int i = 0; i < 60; ++i)
+    for (int j = i + 1; j < 60; ++j)
+      for (int k = 0; k < scene.bodies.info(i).count; ++k)
+        for (int l = 0; l < scene.bodies.info(j).count; ++l)
+          if (scene.gap(i, k, j, l) < 2 * scene.settings.min_skin) {
+            EXPECT_EQ(listed.count({i, k, j, l}), 1u);
+          }
+  const PlanarBlockPool& pairs = scene.blocks.pairs();
+  for (int place = 0; place < pairs.size(); ++place) {
+    const PlanarBlockHead& head = pairs.head(place);
+    if (head.used == 0) continue;
+    double least = 1.0;
+    for (int lane = 0; lane < planar_lanes; ++lane)
+      least = std::min(least, scene.gap(head.i, pairs.cold(place).sphere_i[lane], head.j,
+                                        pairs.cold(place).sphere_j[lane]));
+    EXPECT_LE(head.gap, least + 1e-15);
+    EXPECT_LT(least, 2 * scene.settings.max_skin);
+  }
 }
 
 TEST(PlanarNeighbours, ContactsKeepTheirHistoryWhenABodyIsListedAnew) {
