@@ -104,6 +104,12 @@ void PlanarBodyStates::begin_loads() {
 /// that they continue the new branches backwards (event_correction.h).
 void PlanarBodyStates::apply_events(int part, long step, PlanarEvents& events) {
   events.forget_jumps(part);
+  // The records of each step of the past, newest first.
+  PlanarVector *velocities[max_multistep_order], *accelerations[max_multistep_order];
+  for (int k = 0; k < settings_.order - 1; ++k) {
+    velocities[k] = past_velocity_[past(k, step)].data();
+    accelerations[k] = past_acceleration_[past(k, step)].data();
+  }
   events.each_changed(part, [&](int b, bool jumps) {
     if (b >= owned()) return;  // its own rank sees all of its contacts
     typedef KnownInverse<double> Inverse;
@@ -119,10 +125,9 @@ void PlanarBodyStates::apply_events(int part, long step, PlanarEvents& events) {
     missed_[part].push_back(b);
     if (jumps) events.set_jumped(b, jump);
     if (evaluations_[b] == 0) return;  // no past yet
-    for (int k = 1; k < settings_.order; ++k) {
-      const PlanarRates gain = correction.past(change, k * settings_.dt);
-      double *const velocity = past_velocity_[past(k - 1, step)][b].d,
-                    *const acceleration = past_acceleration_[past(k - 1, step)][b].d;
+    for (int k = 0; k < settings_.order - 1; ++k) {
+      const PlanarRates gain = correction.past(change, (k + 1) * settings_.dt);
+      double *const velocity = velocities[k][b].d, *const acceleration = accelerations[k][b].d;
       for (int d = 0; d < 2; ++d) {
         velocity[d] += gain.velocity[d];
         acceleration[d] += gain.acceleration[d];
