@@ -124,21 +124,30 @@ inline ChangeMoments<Vector2<Lanes>> moments_in_space(const ChangeMoments<Lanes>
           in_space(axis, normal.impulse_integral, tangential.impulse_integral)};
 }
 
-/// The torque of such a change at `lever`, about the centre of the body on `side` (1: i, -1: j);
-/// `spin` and `arm` of that side, `length` of the lever from the centre of the sphere.
-inline ChangeMoments<Lanes> torque_of(const ChangeMoments<Vector2<Lanes>>& force,
-                                      Vector2<Lanes> lever, double side, Lanes length, Lanes spin,
-                                      Vector2<Lanes> arm, const LaneMotion& motion,
-                                      Vector2<Lanes> turn) {
+/// One side of the contacts in a register, `sign` 1: i, -1: j. The lever and the arm lead from the
+/// centre of the body to the contact and to the centre of the sphere, from where the contact is
+/// `length` away.
+struct LaneSide {
+  double sign;
+  Vector2<Lanes> lever, arm;
+  Lanes length, spin;
+};
+
+/// The torque about the centre of the body on a side of the change of a force on i; `turn`: rate of
+/// the normal.
+inline ChangeMoments<Lanes> torque_about(const LaneSide& side,
+                                         const ChangeMoments<Vector2<Lanes>>& force,
+                                         const LaneMotion& motion, Vector2<Lanes> turn) {
   const Lanes zero = all_lanes(0.0);
-  const Vector2<Lanes> still = {zero, zero}, arm_rate = velocity_at(still, spin, arm);
-  const Vector2<Lanes> lever_rate = {
-      lever_rate_component(arm_rate.x, side, length, motion.separation_velocity, motion.normal.x,
-                           turn.x),
-      lever_rate_component(arm_rate.y, side, length, motion.separation_velocity, motion.normal.y,
-                           turn.y)};
+  const Vector2<Lanes> still = {zero, zero}, arm_rate = velocity_at(still, side.spin, side.arm);
+  const auto rate = [&](Lanes of_arm, Lanes normal, Lanes of_normal) {
+    return lever_rate_component(of_arm, side.sign, side.length, motion.separation_velocity, normal,
+                                of_normal);
+  };
+  const Vector2<Lanes> lever_rate = {rate(arm_rate.x, motion.normal.x, turn.x),
+                                     rate(arm_rate.y, motion.normal.y, turn.y)};
   return torque_moments<Lanes>(
-      force, [&](const Vector2<Lanes>& moment) { return cross_z(lever, moment); },
+      force, [&](const Vector2<Lanes>& moment) { return cross_z(side.lever, moment); },
       [&](const Vector2<Lanes>& moment) { return cross_z(lever_rate, moment); });
 }
 
@@ -170,10 +179,10 @@ inline void report_jumps(const PlanarBlockHead* heads, const LaneMotion& motion,
   };
   const Vector2<Lanes> turn = {turning(centres.x, motion.normal.x),
                                turning(centres.y, motion.normal.y)};
-  const ChangeMoments<Lanes> about_i = torque_of(on_i, motion.lever_i, 1.0, motion.length_i,
-                                                 bodies.spin_i, bodies.arm_i, motion, turn),
-                             about_j = torque_of(on_i, motion.lever_j, -1.0, motion.length_j,
-                                                 bodies.spin_j, bodies.arm_j, motion, turn);
+  const LaneSide side_i = {1.0, motion.lever_i, bodies.arm_i, motion.length_i, bodies.spin_i},
+                 side_j = {-1.0, motion.lever_j, bodies.arm_j, motion.length_j, bodies.spin_j};
+  const ChangeMoments<Lanes> about_i = torque_about(side_i, on_i, motion, turn),
+                             about_j = torque_about(side_j, on_i, motion, turn);
   PlanarChangeSums on_walls = PlanarChangeSums(), *of_i[lane_blocks], *of_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
     const int i = heads[b].i, j = heads[b].j;
