@@ -12,11 +12,12 @@ struct LaneBodies {
   Lanes inverse_distance;  // of the spheres; 0 at a wall, whose normal does not turn
 };
 
-/// The changes of the motion of one side's surface at the contacts; x and y: of the spheres in the
-/// frames of their bodies, `length`: of the lever, for j with a minus sign.
+/// The changes of the motion of one side's surface at the contacts.
 struct SideJump {
   Vector2<Lanes> acceleration, velocity, displacement;
 };
+/// They follow from the jumps of the bodies, one for each block. `x`, `y`: of the spheres in the
+/// frames of the bodies; `length`: of the levers from there, for j with a minus sign.
 inline SideJump side_jump(BlockConstants& of, const double* x, const double* y, Lanes length,
                           Vector2<Lanes> normal) {
   Lanes ax, ay, aw, vx, vy, vw, dx, dy, dw, cosine, sine, none;
