@@ -4,9 +4,9 @@
 # Leave the machine alone meanwhile: one to two hours, half of it for packings and a deposition that are made once.
 #
 #   tests/benchmark/run.sh     coarse graining: accuracy against time, 9000 rods (the packing four times
-#                              side by side), one core; planar engine: steps (planar_engine.sh), a whole
-#                              deposition (planar_deposition.sh), size and ranks (planar_size.sh), other
-#                              programs (planar_peers.sh)
+#                              side by side), one core; planar engine: steps (planar_engine.sh), whole
+#                              depositions (planar_deposition.sh, planar_presets.sh), size and ranks
+#                              (planar_size.sh), other programs (planar_peers.sh)
 set -eu
 cd "$(dirname "$0")/../.."
 
@@ -24,7 +24,7 @@ fi
 step=$(sed 's/.*"step": \([0-9]*\).*/\1/' "$bed/result.json")
 taskset -c 1 build/bin/coarse_graining_benchmark "$bed/dumps/bodies.$step.dump" \
   "$bed/dumps/contacts.$step.dump" build/benchmark/coarse_graining --tiles 4
-for benchmark in planar_engine planar_peers planar_deposition planar_size; do
+for benchmark in planar_engine planar_peers planar_deposition planar_presets planar_size; do
   tests/benchmark/$benchmark.sh build
 done
 (
