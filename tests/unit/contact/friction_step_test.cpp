@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 using namespace rodpack;
 
@@ -227,6 +229,75 @@ TEST(SlideTurning, TheSpringLagsBehindAVelocityThatTurnsByTheSameWayInAnyStep) {
     EXPECT_NEAR(slide.spring_angle(0.3, steps), 1.2 + 5 * 0.3 - lag, 1e-5) << steps;
   slide.stiffness = 1e9;
   EXPECT_NEAR(slide.spring_angle(0.3, 30), 1.2 + 5 * 0.3 - 1e-8, 1e-10);
+}
+
+namespace {
+
+/// A contact alone, whose velocity and cap are given: it slides, turns, sticks at 0.4709 s, and
+/// slides again from 0.8064 s on.
+struct GivenMotion {
+  double stiffness = 1000, damping = 2;
+  static void velocity(double t, double (&v)[3]) {
+    v[0] = 0.1 * std::cos(3 * t) - 0.12 * t;
+    v[1] = 0.06 * std::sin(5 * t);
+    v[2] = 0;
+  }
+  static double cap(double t) { return 20 + 5 * std::sin(2 * t); }
+
+  /// The spring at `end`, how often the branch has changed, and when for the last time.
+  std::array<double, 4> run(double end, int steps) const {
+    std::array<double, 4> result{};
+    double spring[3] = {cap(0) / stiffness, 0, 0};
+    bool slid = true;
+    for (int n = 1; n <= steps; ++n) {
+      const double dt = end / steps, t = n * dt;
+      FrictionStep step = contact();
+      step.stiffness = stiffness;
+      step.damping = damping;
+      step.cap = cap(t);
+      step.cap_rate = 10 * std::cos(2 * t);
+      step.cap_curvature = -20 * std::sin(2 * t);
+      step.dt = dt;
+      step.slid = slid;
+      for (int k = 0; k < 3; ++k) velocity(t - k * dt, step.velocity[k]);
+      std::copy(spring, spring + 3, step.spring_before);
+      double now[3], middle[3], before[3];
+      velocity(t, now);
+      velocity(t - 0.5 * dt, middle);
+      velocity(t - dt, before);
+      for (int d = 0; d < 3; ++d) spring[d] += dt / 6 * (before[d] + 4 * middle[d] + now[d]);
+      const FrictionForce f = friction_force(step, spring);
+      slid = f.slides;
+      if (!f.changed) continue;
+      EXPECT_FALSE(f.jumps);
+      result[2] += 1;
+      result[3] = t - f.since;
+    }
+    result[0] = spring[0];
+    result[1] = spring[1];
+    return result;
+  }
+};
+
+}  // namespace
+
+// Against steps 64 times as fine. A spring that a slide leaves behind is there for good.
+TEST(FrictionStep, InSpaceBothChangesOfBranchAreOfThirdOrder) {
+  const GivenMotion motion;
+  for (const double end : {0.6, 1.0}) {
+    const int changes = end < 0.8 ? 1 : 2;
+    const auto exact = motion.run(end, 64 * 46);
+    EXPECT_EQ(exact[2], changes);
+    EXPECT_NEAR(exact[3], changes == 1 ? 0.4709 : 0.8064, 1e-4);
+    double errors[2];
+    for (const int finer : {0, 1}) {
+      const auto found = motion.run(end, finer ? 92 : 23);
+      EXPECT_EQ(found[2], changes);
+      errors[finer] = std::hypot(found[0] - exact[0], found[1] - exact[1]);
+    }
+    EXPECT_GT(std::log2(errors[0] / errors[1]) / 2, 2.6) << end;
+    EXPECT_LT(errors[0], 2e-6);  // m, of a spring of 25 mm
+  }
 }
 
 // What a velocity across the slide does to the force in a step: no more than the dashpot and the
