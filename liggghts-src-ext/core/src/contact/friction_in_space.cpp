@@ -25,6 +25,15 @@ struct SlideState {
   }
 };
 
+/// 2 cap u.v + c v^2, N m/s, `age` seconds ago, when the spring had the direction u: above 0 the
+/// slider moves.
+double slider_excess(const FrictionStep& step, double age, const double (&direction)[3]) {
+  double velocity[3];
+  slip_at(step, age, velocity);
+  return 2.0 * cap_at(step, age) * dot(direction, velocity) +
+         step.damping * dot(velocity, velocity);
+}
+
 /// Time since `excess`(age), a function of the time before now (s) in 0..dt, was 0.
 template <class Excess>
 double time_since_change(const Excess& excess, double dt) {
@@ -135,14 +144,6 @@ void SlideTurning::at(double age, double (&direction)[3]) const {
   for (int d = 0; d < 3; ++d) direction[d] = cosine * along_[d] + sine * across_[d];
 }
 
-double SlideTurning::excess(double age) const {
-  double direction[3], velocity[3];
-  at(age, direction);
-  slip_at(step_, age, velocity);
-  return 2.0 * cap_at(step_, age) * dot(direction, velocity) +
-         step_.damping * dot(velocity, velocity);
-}
-
 // Radau's formula of third order: where the surfaces slip by many lengths of the spring in a step,
 // its end follows the velocity of now, as it should.
 double SlideTurning::angle_at(double age) const {
@@ -171,10 +172,10 @@ double SlideTurning::angle_at(double age) const {
     const double da = (u * r - q * s) / determinant, db = (p * s - t * r) / determinant;
     a -= da;
     b -= db;
-    if (std::fabs(da) + std::fabs(db) < 1e-15 * (1.0 + std::fabs(b))) return b;
+    if (std::fabs(da) + std::fabs(db) < 1e-8) return b;  // Newton's next one would be its square
     if (!(std::fabs(a) + std::fabs(b) < 10.0)) return guess;
   }
-  return std::fabs(a - guess) + std::fabs(b - guess) < 10.0 ? b : guess;
+  return guess;
 }
 
 FrictionForce begin_slide(const FrictionStep& step, const double (&stuck)[3], double (&spring)[3]) {
@@ -219,11 +220,17 @@ FrictionForce go_on(const FrictionStep& step, double (&spring)[3]) {
   double direction[3], sliding[3];
   turning.at(0.0, direction);
   slide_now(step, direction, spring, sliding);
-  result.slides = step.known < 2 || turning.excess(0.0) > 0.0;
+  result.slides = step.known < 2 || slider_excess(step, 0.0, direction) > 0.0;
   std::copy(sliding, sliding + 3, result.force);
   if (result.slides) return result;
   result.changed = true;
-  result.since = time_since_change([&](double age) { return turning.excess(age); }, step.dt);
+  result.since = time_since_change(
+      [&](double age) {
+        double then[3];
+        turning.at(age, then);
+        return slider_excess(step, age, then);
+      },
+      step.dt);
   stuck_beyond_slide(step, direction, result.gain_rate);
   double way[3];
   slip_since(step, result.since, way);

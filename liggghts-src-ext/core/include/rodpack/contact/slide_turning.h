@@ -80,8 +80,6 @@ class SlideTurning {
   SlideTurning(const FrictionStep& step, const double (&begin)[3], double age);
   /// The direction `age` seconds ago, a unit vector.
   void at(double age, double (&direction)[3]) const;
-  /// 2 cap u.v + c v^2 then, N m/s: above 0 the slider moves.
-  double excess(double age) const;
 
  private:
   double angle_at(double age) const;
