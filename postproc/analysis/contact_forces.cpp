@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reading/checks/contacts_of_bodies.h"
+#include "reading/checks/number_range.h"
 #include "reading/csv_file.h"
 #include "reading/number_text.h"
 
@@ -41,16 +42,10 @@ ForceDistribution distribution(const std::vector<double>& forces, double width, 
   return result;
 }
 
-double positive(double value, const std::string& what) {
-  if (!(value > 0))
-    throw DataError(what + ": expected a positive value, found " + number_text(value));
-  return value;
-}
-
 }  // namespace
 
 ContactForceSample::ContactForceSample(const ContactForceOptions& options) : options_(options) {
-  positive(options.bin_width, "width of the bins of the contact forces");
+  require_positive(options.bin_width, "width of the bins of the contact forces");
   for (const auto& row : options.friction.table)
     for (const double each : row)
       if (!(each >= 0))
@@ -59,10 +54,7 @@ ContactForceSample::ContactForceSample(const ContactForceOptions& options) : opt
 }
 
 void ContactForceSample::add(const Frame& contacts, const Frame* bodies) {
-  if (contacts.rows == 0)
-    throw TooFewParticles(contacts.file + ":" + std::to_string(contacts.header_line) +
-                          ": no contacts in the frame of timestep " +
-                          std::to_string(contacts.timestep));
+  require_any_contact(contacts);
   if (bodies && bodies->timestep != contacts.timestep)
     throw DataError(bodies->file + ": expected bodies of timestep " +
                     std::to_string(contacts.timestep) + " as the contacts of " + contacts.file +
@@ -76,6 +68,8 @@ void ContactForceSample::add_forces(const Frame& contacts) {
   const auto& wall = contacts.column("wall");
   const auto f = vector_columns(contacts, {"fx", "fy", "fz"});
   const auto n = vector_columns(contacts, {"nx", "ny", "nz"});
+  std::optional<FrictionOfContacts> friction;
+  if (!options_.friction.table.empty()) friction.emplace(contacts, options_.friction.table);
   for (std::size_t i = 0; i < contacts.rows; ++i) {
     const double length = std::hypot((*n[0])[i], (*n[1])[i], (*n[2])[i]);
     if (!(std::abs(length - 1) < 1e-3))  // a dump may print few digits
@@ -99,8 +93,7 @@ void ContactForceSample::add_forces(const Frame& contacts) {
     normals_.push_back({(*n[0])[i] / length, (*n[1])[i] / length, (*n[2])[i] / length});
     // Without friction only rounding errors are left, whose distribution would mean nothing.
     tangential_.push_back(tangential > 1e-12 * normal ? tangential : 0);
-    if (const auto& table = options_.friction.table; !table.empty())
-      frictional_.push_back(frictional_contact(contacts, i, normal, tangential_.back(), table));
+    if (friction) frictional_.push_back(friction->of(i, normal, tangential_.back()));
   }
 }
 
@@ -174,7 +167,6 @@ ContactForces ContactForceSample::result() const {
 
   auto& coordination = result.coordination;
   coordination.particles = particles_;
-  coordination.all_particles_known = all_particles_known_;
   if (all_particles_known_) coordination.rattlers = rattlers_;
   const auto most = std::max(with_touching_.rbegin()->first, with_contacts_.rbegin()->first);
   coordination.with_touching_particles.assign(most + 1, 0);

@@ -29,11 +29,12 @@ struct ForceDistribution {
 
 /// Who touches whom, forces aside: contacts that carry nothing count too. Means over all particles.
 struct Coordination {
-  std::size_t particles = 0;         // all frames together
-  bool all_particles_known = false;  // false: no dump of bodies, those without contact are missed
-  double touching_particles = 0;     // mean number of different particles that one touches
-  double contacts = 0;               // mean number of sphere contacts of a particle
-  std::optional<std::size_t> rattlers;          // particles without contact, with a wall neither
+  std::size_t particles = 0;      // all frames together
+  double touching_particles = 0;  // mean number of different particles that one touches
+  double contacts = 0;            // mean number of sphere contacts of a particle
+  /// Particles without contact, with a wall neither; none without a dump of bodies, where they are
+  /// missed in all that stands here.
+  std::optional<std::size_t> rattlers;
   std::vector<double> number;                   // 0, 1, 2, ...
   std::vector<double> with_touching_particles;  // particles that touch so many others
   std::vector<double> with_contacts;            // particles that have so many sphere contacts

@@ -9,6 +9,8 @@
 #include <set>
 #include <tuple>
 
+#include "reading/checks/contacts_of_bodies.h"
+
 namespace rodpack {
 namespace {
 
@@ -46,10 +48,7 @@ ForceLine line_of(const Pair& key, const PairSum& pair) {
 }  // namespace
 
 std::vector<ForceLine> force_lines(const Frame& contacts) {
-  if (contacts.rows == 0)
-    throw TooFewParticles(contacts.file + ":" + std::to_string(contacts.header_line) +
-                          ": no contacts in the frame of timestep " +
-                          std::to_string(contacts.timestep));
+  require_any_contact(contacts);
   const auto& body_i = contacts.column("body_i");
   const auto& body_j = contacts.column("body_j");
   const auto& wall = contacts.column("wall");

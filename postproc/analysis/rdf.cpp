@@ -184,24 +184,16 @@ void RdfSample::add(const Packing& packing) {
   const auto bins = bins_of(options_);
   const auto [margin, reduced, area, region, window, points, centres] =
       field_of_view(packing, options_);
-  RdfFrame frame;
+  RdfFrame frame(bins);
   frame.centres = centres.size();
   frame.region = area;
   frame.margin = margin / packing.particle_diameter;
   frame.margin_reduced = reduced;
-  frame.pairs.assign(bins, 0);
-  frame.variance.assign(bins, 0);
   const auto& is_centre = points.is_centre;
-  for_pairs(points, centres, bin, bins, [&](std::size_t, std::size_t j, std::size_t k) {
-    frame.pairs[k] += 1;
-    frame.variance[k] += is_centre[j] ? 2 : 1;
-  });
-  frame.rings.assign(bins, 0);
-  for (const auto i : centres) {
-    const auto areas = ring_areas(window, points.x[i], points.y[i], bin, bins);
-    for (std::size_t k = 0; k < bins; ++k) frame.rings[k] += areas[k];
-  }
-  frame.spread.assign(bins, 0);
+  for_pairs(points, centres, bin, bins,
+            [&](std::size_t, std::size_t j, std::size_t k) { frame.add_pair(k, is_centre[j]); });
+  for (const auto i : centres)
+    frame.add_rings(ring_areas(window, points.x[i], points.y[i], bin, bins));
   for (std::size_t i = 0; i < points.x.size(); ++i)
     if (points.is_original[i])
       add_to_spread(ring_areas(region, points.x[i], points.y[i], bin, bins), points.is_centre[i],

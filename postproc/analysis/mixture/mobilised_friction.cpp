@@ -19,39 +19,44 @@ double mobilised(const FrictionalContact& contact) {
   return std::min(contact.tangential / (contact.coefficient * contact.normal), 1.0);
 }
 
+}  // namespace
+
+FrictionOfContacts::FrictionOfContacts(const Frame& contacts, const FrictionTable& table)
+    : contacts_(contacts), table_(table) {
+  if (table.size() == 1) return;
+  wall_ = &contacts.column("wall");
+  first_ = &contacts.column("type_i");
+  second_ = &contacts.column("type_j");
+}
+
 // An atom type of the table, counted from 1.
-int type_of(const Frame& contacts, const char* column, std::size_t row, const FrictionTable& table,
-            int least) {
-  const double type = contacts.column(column)[row];
-  if (type < least || type > static_cast<double>(table.size()))
-    throw DataError(at_row(contacts, row) + "column '" + column +
+int FrictionOfContacts::type_of(std::size_t row, bool second, int least) const {
+  const double type = (second ? *second_ : *first_)[row];
+  if (type < least || type > static_cast<double>(table_.size()))
+    throw DataError(at_row(contacts_, row) + "column '" + (second ? "type_j" : "type_i") +
                     "': expected an atom type of the scene's friction, " + std::to_string(least) +
-                    " to " + std::to_string(table.size()) + ", found " + number_text(type));
+                    " to " + std::to_string(table_.size()) + ", found " + number_text(type));
   return static_cast<int>(type);
 }
 
 // Of a sphere and a wall whose type is not told.
-double with_any(const Frame& contacts, std::size_t row, int type, const FrictionTable& table) {
-  const auto& all = table[static_cast<std::size_t>(type - 1)];
+double FrictionOfContacts::with_any(std::size_t row, int type) const {
+  const auto& all = table_[static_cast<std::size_t>(type - 1)];
   if (std::all_of(all.begin(), all.end(), [&](double each) { return each == all[0]; }))
     return all[0];
-  throw DataError(at_row(contacts, row) + "expected the wall's atom type, since spheres of type " +
+  throw DataError(at_row(contacts_, row) + "expected the wall's atom type, since spheres of type " +
                   std::to_string(type) +
                   " have another friction with each, found none: LIGGGHTS's own dumps do not tell "
                   "it; 'dump contact/gran' does, and --friction gives one");
 }
 
-}  // namespace
-
-FrictionalContact frictional_contact(const Frame& contacts, std::size_t row, double normal,
-                                     double tangential, const FrictionTable& table) {
-  if (table.size() == 1) return {normal, tangential, 0, 0, table[0][0]};
-  const bool wall = contacts.column("wall")[row] != 0;
-  const int i = type_of(contacts, "type_i", row, table, 1);
-  const int j = type_of(contacts, "type_j", row, table, wall ? 0 : 1);
+FrictionalContact FrictionOfContacts::of(std::size_t row, double normal, double tangential) const {
+  if (table_.size() == 1) return {normal, tangential, 0, 0, table_[0][0]};
+  const int i = type_of(row, false, 1);
+  const int j = type_of(row, true, (*wall_)[row] != 0 ? 0 : 1);
   const double coefficient =
-      j == 0 ? with_any(contacts, row, i, table)
-             : table[static_cast<std::size_t>(i - 1)][static_cast<std::size_t>(j - 1)];
+      j == 0 ? with_any(row, i)
+             : table_[static_cast<std::size_t>(i - 1)][static_cast<std::size_t>(j - 1)];
   return {normal, tangential, std::min(i, j), std::max(i, j), coefficient};
 }
 

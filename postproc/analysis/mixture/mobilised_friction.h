@@ -19,11 +19,25 @@ struct FrictionalContact {
   double coefficient;          // mu
 };
 
-/// A contact of a frame (columns `type_i type_j` where the table has more than one coefficient;
-/// 0 in the latter: not told, as of the walls of LIGGGHTS's own dumps) with its coefficient.
-/// @throws DataError naming line and type where the table has none for it.
-FrictionalContact frictional_contact(const Frame& contacts, std::size_t row, double normal,
-                                     double tangential, const FrictionTable& table);
+/// The friction of the contacts of a frame.
+class FrictionOfContacts {
+ public:
+  /// Columns, where the table has more than one coefficient: `wall type_i type_j`; 0 in the last:
+  /// not told, as of the walls of LIGGGHTS's own dumps. Both have to outlive this.
+  /// @throws DataError when a column is missing.
+  FrictionOfContacts(const Frame& contacts, const FrictionTable& table);
+  /// A contact with its coefficient; forces: magnitudes, N. @throws DataError naming line and type
+  /// where the table has none for it.
+  FrictionalContact of(std::size_t row, double normal, double tangential) const;
+
+ private:
+  int type_of(std::size_t row, bool second, int least) const;
+  double with_any(std::size_t row, int type) const;
+
+  const Frame& contacts_;
+  const FrictionTable& table_;
+  const std::vector<double>*wall_ = nullptr, *first_ = nullptr, *second_ = nullptr;
+};
 
 /// What the contacts of two atom types mobilise, each other's or a wall's; 0: the wall's is not
 /// told.

@@ -19,6 +19,18 @@ RdfOptions up_to(RdfOptions options, double half_period) {
   return options;
 }
 
+RdfFrame::RdfFrame(std::size_t bins)
+    : pairs(bins, 0), variance(bins, 0), rings(bins, 0), spread(bins, 0) {}
+
+void RdfFrame::add_pair(std::size_t bin, bool twice) {
+  pairs[bin] += 1;
+  variance[bin] += twice ? 2 : 1;
+}
+
+void RdfFrame::add_rings(const std::vector<double>& of_centre) {
+  for (std::size_t k = 0; k < rings.size(); ++k) rings[k] += of_centre[k];
+}
+
 void add_to_spread(const std::vector<double>& inside, bool is_centre, RdfFrame& frame) {
   for (std::size_t k = 0; k < inside.size(); ++k) {
     const double weight = (frame.rings[k] > 0 ? inside[k] / frame.rings[k] : 0) -

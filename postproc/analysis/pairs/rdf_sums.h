@@ -38,6 +38,12 @@ RdfOptions up_to(RdfOptions options, double half_period);
 
 /// What one frame adds to G(r), in the plane or in space; lengths in m. One entry per bin.
 struct RdfFrame {
+  explicit RdfFrame(std::size_t bins);
+  /// Adds a pair; `twice`: both are centres.
+  void add_pair(std::size_t bin, bool twice);
+  /// Adds the rings of a centre.
+  void add_rings(const std::vector<double>& of_centre);
+
   std::vector<double> pairs;     // (centre, neighbour)
   std::vector<double> variance;  // of pairs: a pair of two centres is one event that counts twice
   std::vector<double> rings;     // of all centres, inside the window: their area, in space volume

@@ -43,25 +43,17 @@ void SpatialRdfSample::add(const SpatialPacking& packing) {
   const auto [margin, reduced] = margin_in_space(packing, options_);
   const auto points =
       neighbourhood(packing, margin, std::min(packing.axial_length(), margin), reach);
-  RdfFrame frame;
+  RdfFrame frame(bins);
   frame.centres = points.centres.size();
   frame.region = points.region_volume;
   frame.margin = margin / packing.particle_diameter;
   frame.margin_reduced = reduced;
-  frame.pairs.assign(bins, 0);
-  frame.variance.assign(bins, 0);
   for_neighbours(points, reach, [&](std::size_t, std::size_t j, const Vector3& to) {
     const auto k = static_cast<std::size_t>(std::hypot(to[0], to[1], to[2]) / bin);
-    if (k >= bins) return;
-    frame.pairs[k] += 1;
-    frame.variance[k] += points.is_centre[j] ? 2 : 1;
+    if (k < bins) frame.add_pair(k, points.is_centre[j]);
   });
-  frame.rings.assign(bins, 0);
-  for (const auto i : points.centres) {
-    const auto volumes = shell_volumes(points.window, points.place[i], bin, bins);
-    for (std::size_t k = 0; k < bins; ++k) frame.rings[k] += volumes[k];
-  }
-  frame.spread.assign(bins, 0);
+  for (const auto i : points.centres)
+    frame.add_rings(shell_volumes(points.window, points.place[i], bin, bins));
   for (std::size_t i = 0; i < points.place.size(); ++i)
     if (points.is_original[i])
       add_to_spread(shell_volumes(points.region, points.place[i], bin, bins), points.is_centre[i],

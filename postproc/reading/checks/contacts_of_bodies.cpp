@@ -48,4 +48,11 @@ void require_contacts_of_bodies(const Frame& contacts, const Frame& bodies) {
   if (!why.empty()) throw DataError(why + ": expected contacts and bodies of one run");
 }
 
+void require_any_contact(const Frame& contacts) {
+  if (contacts.rows == 0)
+    throw TooFewParticles(contacts.file + ":" + std::to_string(contacts.header_line) +
+                          ": no contacts in the frame of timestep " +
+                          std::to_string(contacts.timestep));
+}
+
 }  // namespace rodpack

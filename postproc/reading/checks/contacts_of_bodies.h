@@ -16,6 +16,9 @@ std::string why_not_of_these_bodies(const Frame& contacts, const Frame& bodies);
 /// @throws DataError with that reason.
 void require_contacts_of_bodies(const Frame& contacts, const Frame& bodies);
 
+/// @throws TooFewParticles when a frame of contacts has none.
+void require_any_contact(const Frame& contacts);
+
 }  // namespace rodpack
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "reading/data_error.h"
 #include "reading/number_text.h"
 
 namespace rodpack {
@@ -16,6 +17,12 @@ std::string NumberRange::text() const {
   const std::string kind = whole ? "a whole number" : "a number";
   if (above_low) return kind + " above " + number_text(low) + ", at most " + number_text(high, 16);
   return kind + " of " + number_text(low) + " to " + number_text(high, 16);
+}
+
+double require_positive(double value, const std::string& what) {
+  if (!(value > 0))
+    throw DataError(what + ": expected a positive value, found " + number_text(value));
+  return value;
 }
 
 }  // namespace rodpack

@@ -18,6 +18,9 @@ struct NumberRange {
   std::string text() const;
 };
 
+/// Returns `value`. @throws DataError naming it, as `what`, when it is not above 0.
+double require_positive(double value, const std::string& what);
+
 }  // namespace rodpack
 
 #endif

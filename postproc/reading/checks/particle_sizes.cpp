@@ -10,12 +10,6 @@
 namespace rodpack {
 namespace {
 
-double positive(double value, const std::string& what) {
-  if (!(value > 0))
-    throw DataError(what + ": expected a positive value, found " + number_text(value));
-  return value;
-}
-
 // Another unit of length shows as a factor of 100 or 1000.
 void require_diameter_of_spheres(double given, double mean, const std::string& where) {
   if (given > 10 * mean || given < mean / 10)
@@ -39,14 +33,14 @@ ParticleSizes particle_sizes(const Frame& bodies, const PackingOptions& options,
   };
   const double mean_diameter =
       2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(bodies.rows);
-  const double diameter = positive(
+  const double diameter = require_positive(
       first_of(options.particle_diameter, from_parameters("particle_diameter_m"), mean_diameter),
       where + ": particle diameter");
   require_diameter_of_spheres(diameter, mean_diameter, where);
   const double longest = 2 * *std::max_element(half_length.begin(), half_length.end());
-  const double ratio =
-      positive(first_of(options.aspect_ratio, from_parameters("aspect_ratio"), longest / diameter),
-               where + ": aspect ratio");
+  const double ratio = require_positive(
+      first_of(options.aspect_ratio, from_parameters("aspect_ratio"), longest / diameter),
+      where + ": aspect ratio");
   // A plain sphere with a drawn size may be a little shorter than d_p.
   constexpr NumberRange ratios{0.5, 1000};
   if (!ratios.contains(ratio))

@@ -21,7 +21,7 @@ struct SampleContact {
   double v_i[3] = {0, 0, 0}, v_j[3] = {0, 0, 0};
   double omega_i[3] = {0, 0, 0}, omega_j[3] = {0, 0, 0};
   double vn = 0, vtr1 = 0, vtr2 = 0, vtr3 = 0;
-  double kn = 1000, kt = 500, gamman = 0, gammat = 0, meff = 0;
+  double kn = 1000, kt = 500, gamman = 0, gammat = 0;
 
   /// Sets what follows from radii, delta, velocities and spins.
   void complete() {

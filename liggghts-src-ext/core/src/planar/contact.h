@@ -26,7 +26,6 @@ struct PlanarContact {
   double radi, radj, radsum, rsq, r, rinv, deltan, cri, crj;
   double vn, vtr1, vtr2, vtr3;
   double kn, kt, gamman, gammat;
-  static constexpr double meff = 0.0;  // asked for only where a slide may turn, in space
 
   Vector2<double> normal() const { return {en[0], en[1]}; }
   double tangential_velocity() const { return cross_z<double>(normal(), {vtr1, vtr2}); }

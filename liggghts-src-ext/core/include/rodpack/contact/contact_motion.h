@@ -12,7 +12,7 @@ namespace rodpack {
 // radsum, deltan (overlap), delta (from the centre of j, or its wall, to that of i), v_i, v_j (of
 // the centres), omega_i, omega_j, cri, crj (from the centres to the contact point), vn (positive
 // when separating), vtr1..3 (tangential velocity), is_wall, kn, kt, gamman, gammat (stiffness and
-// dashpot of the contact), meff (effective mass of its bodies). SI units.
+// dashpot of the contact). SI units.
 
 /// Velocity in the plane of contact from that of the centres, `relative`, and the sum `spin` of the
 /// angular velocities times the levers of both; returns the velocity along the normal `en`.

@@ -29,11 +29,11 @@ namespace rodpack {
 //   report_end(...): that sliding friction has ended with the contact.
 // `Contact`: see contact_motion.h; `Events`: see normal_history.h.
 
-/// The direction of the force of a slide, against its spring; false without a spring.
-inline bool slide_direction(const double (&spring)[3], double (&direction)[3]) {
-  const double length = std::sqrt(dot(spring, spring));
+/// The direction of the force of a slide, against its load (slide_turning.h); false without one.
+inline bool slide_direction(const double (&load)[3], double (&direction)[3]) {
+  const double length = std::sqrt(dot(load, load));
   if (!(length > 0.0)) return false;
-  for (int d = 0; d < 3; ++d) direction[d] = -spring[d] / length;
+  for (int d = 0; d < 3; ++d) direction[d] = -load[d] / length;
   return true;
 }
 
@@ -168,11 +168,11 @@ class TotalCap {
     return viscoelastic_ > 0.0 ? time_since_zero(before_, viscoelastic_, dt) : 0.0;
   }
 
-  /// `spring`: of the slide.
+  /// `load`: of the slide.
   template <class Contact, class Events>
-  void report_slide(const Contact& contact, const double (&spring)[3], Events& events) const {
+  void report_slide(const Contact& contact, const double (&load)[3], Events& events) const {
     double direction[3];
-    if (slide_direction(spring, direction)) report_along(contact, direction, changes_, events);
+    if (slide_direction(load, direction)) report_along(contact, direction, changes_, events);
   }
 
   /// `contact`: with the constants that are in the history; the normal force may have ended before.

@@ -7,6 +7,7 @@
 
 #include "contact_law.h"
 #include "force_change.h"
+#include "slide_turning.h"
 #include "../geometry/vector3.h"
 
 namespace rodpack {
@@ -16,21 +17,8 @@ namespace rodpack {
 // its velocity vanishes, since the spring alone carries the cap while it slides; and a contact
 // whose cap falls below the force while the spring moves the surfaces loses the excess of its
 // spring at once, and sticks again. Deciding anew in each step, without looking for the moment,
-// finds these changes O(dt) early or late and is of first order.
-
-/// A contact at the end of a step; vectors lie in its present plane. SI units.
-struct FrictionStep {
-  double stiffness, damping;  // N/m, kg/s; damping > 0
-  double mass;                // effective mass of the pair, kg; 0 in a plane, where nothing turns
-  double cap;                 // of friction_cap.h, N,
-  double cap_rate;            // N/s,
-  double cap_curvature;       // and N/s^2; 0 where it is not known
-  double dt;
-  double velocity[3][3];    // now, one and two steps ago, m/s
-  int known;                // how many of these, 2 or 3
-  double spring_before[3];  // one step ago, m
-  bool slid;                // one step ago
-};
+// finds these changes O(dt) early or late and is of first order. In space the spring turns while it
+// slides, and the slide ends before its velocity vanishes (slide_turning.h).
 
 struct FrictionForce {
   double force[3];  // on i, N
@@ -43,11 +31,6 @@ struct FrictionForce {
 };
 
 namespace detail {
-
-/// Mass over so many steps is the dashpot across a slide that a body bears. A multistep formula of
-/// order 3 bears the mass over 1.8 steps, one of order 4 that over 3.3; the levers to a rod's end
-/// make the contact up to six times as light, and a body has more than one.
-constexpr double steps_of_turning = 20.0;
 
 /// Time since the slip was 0: slip[0] > 0 now, slip[1] one step ago, slip[2] earlier; of the
 /// quadratic through them, or, where a jump of the bodies has stopped it in the step before, so
@@ -67,12 +50,6 @@ inline void stuck_force(const FrictionStep& step, const double (&spring)[3], dou
     force[d] = trial_force(step.stiffness, spring[d], step.damping, step.velocity[0][d]);
 }
 
-/// The cap `since` seconds ago, N. A contact that sticks keeps the spring that carried the cap
-/// then, so that without the curvature it would keep an error of O(dt^2).
-inline double cap_at(const FrictionStep& step, double since) {
-  return std::max(0.0, step.cap - since * (step.cap_rate - 0.5 * since * step.cap_curvature));
-}
-
 /// The force of spring and dashpot one step ago, N.
 inline void stuck_force_before(const FrictionStep& step, double (&force)[3]) {
   for (int d = 0; d < 3; ++d)
@@ -87,35 +64,15 @@ inline double excess_before(const FrictionStep& step) {
   return std::sqrt(dot(before, before)) - cap_at(step, step.dt);
 }
 
-/// The dashpot across a slide, kg/s, that its bodies bear in a step: what the contact's own one is
-/// they bear anyway.
-inline double borne_dashpot(double damping, double mass, double dt) {
-  return std::max(damping, mass / (steps_of_turning * dt));
-}
-
-/// The force of a slide under `cap` (N). In the limit of small steps it acts against the velocity:
-/// the dashpot turns the spring there at once, wherever it was before. Steps that take over no
-/// more than the trial force has of it (tangential_force in contact_law.h) would follow a velocity
-/// that turns with a lag of many steps. But a velocity v across the slide then changes the force by
-/// F_cap v / speed, as a dashpot of F_cap / speed does: where that is more than its bodies bear, a
-/// part of the direction `before`, a unit vector, keeps it to this.
+/// The force of a slide without a velocity across it, under `cap` (N). `before`: its direction
+/// before, a unit vector, 0 if there was none.
 inline void sliding_force(const FrictionStep& step, const double (&velocity)[3], double cap,
                           const double (&before)[3], double (&force)[3]) {
   const double speed = std::sqrt(dot(velocity, velocity));
-  const double borne = borne_dashpot(step.damping, step.mass, step.dt);
-  const double kept = std::max(0.0, cap / borne - speed);
+  const double kept = std::max(0.0, cap / step.damping - speed);
   for (int d = 0; d < 3; ++d) force[d] = kept * before[d] - velocity[d];
   const double length = std::sqrt(dot(force, force));
   for (int d = 0; d < 3; ++d) force[d] *= length > 0.0 ? cap / length : 0.0;
-}
-
-/// Whether a velocity has more than rounding across a direction, a unit vector.
-inline bool moves_across(const double (&velocity)[3], const double (&direction)[3]) {
-  const double along = dot(velocity, direction);
-  double across = 0.0;
-  for (int d = 0; d < 3; ++d)
-    across = std::max(across, std::fabs(velocity[d] - along * direction[d]));
-  return across > 1e-9 * std::fabs(along);
 }
 
 /// The contact slides, or goes on to. `stuck`: the force if it did not, of magnitude `trial`;
@@ -138,9 +95,19 @@ inline FrictionForce slide(const FrictionStep& step, const double (&stuck)[3], d
     result.gain[d] = result.force[d] - stuck[d];
     result.gain_rate[d] = (result.gain[d] - (slide_before[d] - stuck_before[d])) / step.dt;
   }
-  // The force goes on from the trial force, but for what turns it against the velocity, in space.
-  result.jumps = slip > 0.0 || moves_across(step.velocity[0], direction);
+  result.jumps = slip > 0.0;
   return result;
+}
+
+/// The force (N) of a contact that has come to stick with this spring (m). Where the cap has fallen
+/// further meanwhile, the spring alone carries it, along `direction`; the force is then that of the
+/// law with this spring, as ever, so that it is the same when it is evaluated again.
+inline void stick_with(const FrictionStep& step, double cap, const double (&direction)[3],
+                       double (&spring)[3], double (&force)[3]) {
+  stuck_force(step, spring, force);
+  if (!(std::sqrt(dot(force, force)) > cap)) return;
+  for (int d = 0; d < 3; ++d) spring[d] = carrying_spring(cap, step.stiffness) * direction[d];
+  tangential_force(step.stiffness, step.damping, cap, spring, step.velocity[0], force);
 }
 
 /// The contact sticks, from a moment in this step on, with the spring that carried the cap then,
@@ -161,16 +128,10 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
     spring[d] = carrying_spring(at_change, step.stiffness) * direction[d] +
                 0.5 * result.since * (step.velocity[0][d] + then);
   }
-  stuck_force(step, spring, result.force);
-  // Where the cap has fallen further meanwhile, the spring alone carries it; the force is then that
-  // of the law with this spring, as ever, so that it is the same when it is evaluated again.
-  if (std::sqrt(dot(result.force, result.force)) > cap) {
-    for (int d = 0; d < 3; ++d) spring[d] = carrying_spring(cap, step.stiffness) * direction[d];
-    tangential_force(step.stiffness, step.damping, cap, spring, step.velocity[0], result.force);
-  }
+  stick_with(step, cap, direction, spring, result.force);
 
   // After a cap drop the spring is short by the same length ever after. At a standstill the force
-  // goes on from the cap, but for the dashpot of a velocity across it, in space.
+  // goes on from the cap.
   for (int d = 0; d < 3; ++d) {
     const double v = step.velocity[0][d];
     result.gain[d] = result.force[d] - (stands ? cap * direction[d] : stuck[d]);
@@ -179,9 +140,17 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
                                        step.cap_rate * direction[d]
                                  : 0.0;
   }
-  result.jumps = !stands || moves_across(step.velocity[0], direction);
+  result.jumps = !stands;
   return result;
 }
+
+// ---- where the surfaces move across the force, in space (friction_in_space.cpp)
+
+/// The contact begins to slide. `stuck`: the force if it did not; `spring`: likewise.
+FrictionForce begin_slide(const FrictionStep& step, const double (&stuck)[3], double (&spring)[3]);
+
+/// The contact slid one step ago, and slides on, or sticks from a moment in this step on.
+FrictionForce go_on(const FrictionStep& step, double (&spring)[3]);
 
 }  // namespace detail
 
@@ -203,16 +172,22 @@ inline FrictionForce friction_force(const FrictionStep& step, double (&spring)[3
   for (int d = 0; d < 3; ++d)
     direction[d] = length > 0.0 ? (step.slid ? -1.0 : 1.0) * reference[d] / length : 0.0;
   for (int k = 0; k < 3; ++k) slip[k] = k < step.known ? dot(step.velocity[k], direction) : 0.0;
+  const double(&velocity)[3] = step.velocity[0];
+  const bool in_space = detail::moves_across(velocity, direction, step.normal);
+  if (in_space && step.slid) return detail::go_on(step, spring);
   // A contact that sticks has a spring that carries the cap along `direction`, and its dashpot:
   // where a velocity across takes that beyond the cap again, it slides.
-  const double(&velocity)[3] = step.velocity[0];
   const bool slides =
-      slip[0] < 0.0 || (detail::moves_across(velocity, direction) &&
-                        step.damping * dot(velocity, velocity) > 2.0 * cap * slip[0]);
+      slip[0] < 0.0 || (in_space && step.damping * dot(velocity, velocity) > 2.0 * cap * slip[0]);
+  if (in_space && slides && cap > 0.0) return detail::begin_slide(step, stuck, spring);
   return slides || length == 0.0
              ? detail::slide(step, stuck, trial, cap, direction, slip[0], spring)
              : detail::stick(step, stuck, trial, cap, direction, slip, spring);
 }
+
+/// Turns the spring of a contact that slid one step ago, and slides on, without a look for the
+/// moment at which that may have changed; its length is kept.
+void turn_slide(const FrictionStep& step, double (&spring)[3]);
 
 }  // namespace rodpack
 

@@ -32,6 +32,12 @@ struct TangentialPast {
   double spring[3] = {0.0, 0.0, 0.0}, velocity[3] = {0.0, 0.0, 0.0};
 };
 
+/// The force on i, N, and the spring, m.
+struct TangentialForce {
+  double force[3], spring[3];
+  bool sliding;
+};
+
 /// A multistep step of the contact history: order (0: velocity Verlet), number and length (s).
 struct TangentialStep {
   int order;
@@ -151,6 +157,8 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
   const detail::TurnWithContact turn(contact, dt);
   turn(history.spring);
   if (step.order == 0) {
+    past.known = 1;
+    std::copy(history.spring, history.spring + 3, past.spring);
     // Velocity Verlet shows the velocity at half the step, where the midpoint rule wants it.
     for (int d = 0; d < 3; ++d) history.spring[d] += dt * velocity[d];
     std::copy(velocity, velocity + 3, history.velocity[0]);
@@ -198,15 +206,13 @@ bool may_change_branch(const Contact& contact, const TangentialPast& past,
   return squared > cap * cap;
 }
 
-/// Friction of a contact whose branch may change in this step. Sets the spring.
+/// What the friction of a contact in this step depends on.
 template <class Contact, class Cap>
-FrictionForce follow_through_step(const Contact& contact, const TangentialPast& past,
-                                  const TangentialHistory& history, const Cap& cap, double dt,
-                                  double (&spring)[3]) {
-  FrictionStep step;
+FrictionStep friction_step(const Contact& contact, const TangentialPast& past,
+                           const TangentialHistory& history, const Cap& cap, double dt) {
+  FrictionStep step = {};
   step.stiffness = contact.kt;
   step.damping = contact.gammat;
-  step.mass = contact.meff;
   step.cap = cap.now(contact);
   step.cap_rate = cap.rate(contact, dt);
   const double carried = contact.kt * std::sqrt(dot(past.spring, past.spring));
@@ -214,33 +220,31 @@ FrictionForce follow_through_step(const Contact& contact, const TangentialPast& 
   step.dt = dt;
   step.known = past.known;
   step.slid = past.sliding;
+  step.since_touch = past.just_touched ? past.since : 0.0;
+  std::copy(contact.en, contact.en + 3, step.normal);
   std::copy(past.spring, past.spring + 3, step.spring_before);
   for (int k = 0; k < past.known; ++k)
     std::copy(history.velocity[k], history.velocity[k] + 3, step.velocity[k]);
-  return friction_force(step, spring);
+  return step;
 }
 
-/// What a slide has missed of a jump of its bodies in the last step: the force is turned by the
-/// velocity across it as by a dashpot (sliding_force in friction_step.h).
+/// What a slide has missed of a jump of its bodies in the last step, which turns the force through
+/// the dashpot (slide_turning.h).
 template <class Contact, class Events>
-void report_turned_slide(const Contact& contact, const double (&force)[3], const ContactJump& jump,
+void report_turned_slide(const Contact& contact, const double (&spring)[3], const ContactJump& jump,
                          double dt, Events& events) {
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-  const double cap = std::sqrt(dot(force, force)), speed = std::sqrt(dot(velocity, velocity));
-  if (!(cap > 0.0)) return;
-  double direction[3];
-  for (int d = 0; d < 3; ++d) direction[d] = force[d] / cap;
+  double load[3], direction[3];
+  detail::slide_load(contact.kt, contact.gammat, spring, velocity, contact.en, load);
+  if (std::equal(load, load + 3, spring)) return;
+  const double carried = detail::direction_of(load, direction);
+  const double cap = contact.kt * std::sqrt(dot(spring, spring));
   ContactJump across = jump;
   detail::in_plane(direction, across.acceleration);
   detail::in_plane(direction, across.velocity);
   detail::in_plane(direction, across.displacement);
-  // In planar motion only rounding lies across the force.
-  if (dot(across.acceleration, across.acceleration) <=
-      1e-18 * dot(jump.acceleration, jump.acceleration))
-    return;
-  const double borne = detail::borne_dashpot(contact.gammat, contact.meff, dt);
   events.add(contact,
-             dashpot_change(std::min(borne, cap / speed), across.acceleration, across.velocity,
+             dashpot_change(contact.gammat * cap / carried, across.acceleration, across.velocity,
                             across.displacement, dt),
              false);
 }
@@ -249,10 +253,12 @@ void report_turned_slide(const Contact& contact, const double (&force)[3], const
 /// force does to a slide.
 template <class Contact, class Events>
 void report_friction(const Contact& contact, const TangentialPast& past, const FrictionForce& law,
-                     const double (&force)[3], bool sliding, double dt, Events& events) {
+                     const TangentialForce& result, double dt, Events& events) {
+  const double(&force)[3] = result.force;
+  const bool sliding = result.sliding;
   const double kt = contact.kt, gamma = contact.gammat;
   if (past.alive && !law.changed && sliding && past.moved && gamma > 0.0)
-    report_turned_slide(contact, force, past.jump, dt, events);
+    report_turned_slide(contact, result.spring, past.jump, dt, events);
   if (past.alive && !law.changed && (sliding || past.sliding || !past.moved)) return;
   if (!past.alive) {
     double rate[3];
@@ -291,19 +297,31 @@ void report_friction(const Contact& contact, const TangentialPast& past, const F
   events.add(contact, missed, true);
 }
 
+/// Reports what the changes of the normal force in this step do to a slide: one of the last
+/// evaluation, or one that begins with the contact.
+template <class Contact, class Cap, class Events>
+void report_normal_changes(const Contact& contact, const TangentialPast& past,
+                           const TangentialForce& result, const Cap& cap, Events& events) {
+  const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+  double load[3];
+  if (past.alive)
+    detail::slide_load(contact.kt, contact.gammat, past.spring, past.velocity, contact.en, load);
+  else
+    detail::slide_load(contact.kt, contact.gammat, result.spring, velocity, contact.en, load);
+  cap.report_slide(contact, load, events);
+}
+
 /// The tangential force on i (N, result.force), with its history brought to this step where
 /// `renewed`; else it is evaluated once more at the same time, without a trace. `followed`: events
 /// of the integrator, null if it follows none; `reports`: where events go, null if nowhere.
-struct TangentialForce {
-  double force[3], spring[3];
-  bool sliding;
-};
 template <class Contact, class Cap, class Events>
 TangentialForce tangential_contact_force(const Contact& contact, TangentialHistory& history,
                                          Cap cap, bool renewed, const TangentialStep& step,
                                          const Events* followed, Events* reports) {
   TangentialPast past;
-  bool sliding = history.sliding && contact.kt > 0.0;
+  TangentialForce result;
+  bool& sliding = result.sliding;
+  sliding = history.sliding && contact.kt > 0.0;
   if (renewed) {
     past = advance_spring(contact, history, step, followed);
     cap.renew(contact, past.alive, step.dt, followed);
@@ -313,7 +331,6 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
   }
 
   const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
-  TangentialForce result;
   double(&force)[3] = result.force, (&spring)[3] = result.spring;
   std::copy(history.spring, history.spring + 3, spring);
   const double limit = cap.now(contact);
@@ -321,17 +338,19 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
   law.changed = false;
   if (renewed && followed && (past.alive || past.sliding) && contact.gammat > 0.0 &&
       may_change_branch(contact, past, spring, velocity, limit)) {
-    law = follow_through_step(contact, past, history, cap, step.dt, spring);
+    law = friction_force(friction_step(contact, past, history, cap, step.dt), spring);
     std::copy(law.force, law.force + 3, force);
     sliding = law.slides;
   } else if (renewed || !sliding) {
     sliding =
         tangential_force(contact.kt, contact.gammat, std::max(limit, 0.0), spring, velocity, force);
+    if (sliding && renewed && past.sliding && contact.kt > 0.0)
+      turn_slide(friction_step(contact, past, history, cap, step.dt), spring);
   }
-  // A sliding contact's spring alone carries the force: taken from it, the force is the same when
-  // it is evaluated again in the same step.
+  // The spring of a sliding contact carries the cap: taken from it, the force is the same when it
+  // is evaluated again in the same step.
   if (sliding && contact.kt > 0.0)
-    for (int d = 0; d < 3; ++d) force[d] = spring_force(contact.kt, spring[d]);
+    slide_force(contact.kt, contact.gammat, spring, history.velocity[0], contact.en, force);
   if (renewed) {
     std::copy(spring, spring + 3, history.spring);
     history.sliding = sliding;
@@ -340,12 +359,11 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
     history.damping = contact.gammat;
     if (reports) {
       if (past.alive ? past.sliding : sliding)
-        cap.report_slide(contact, past.alive ? past.spring : spring, *reports);
+        report_normal_changes(contact, past, result, cap, *reports);
       if (!Cap::damped || past.alive || !sliding)
-        report_friction(contact, past, law, force, sliding, step.dt, *reports);
+        report_friction(contact, past, law, result, step.dt, *reports);
     }
   }
-  result.sliding = sliding;
   return result;
 }
 
@@ -358,10 +376,12 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history, co
   if (!(contact.vn > 0.0)) return;
   const double since = std::min(dt, -contact.deltan / contact.vn);
   if (history.sliding) {
-    double direction[3];
-    detail::TurnWithContact(contact, dt)(history.spring);
-    if (slide_direction(history.spring, direction))
-      cap.report_end(contact, direction, since, dt, events);
+    double load[3], direction[3];
+    const detail::TurnWithContact turn(contact, dt);
+    turn(history.spring);
+    turn(history.velocity[0]);
+    detail::slide_load(kt, gamma, history.spring, history.velocity[0], contact.en, load);
+    if (slide_direction(load, direction)) cap.report_end(contact, direction, since, dt, events);
     return;
   }
   double now[3], rate[3];
