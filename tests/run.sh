@@ -6,9 +6,9 @@ cd "$(dirname "$0")/.."
 
 echo "1/3 packages (a minute or two the first time)"
 docker/setup.sh tests
-echo "2/3 build of the programs and the tests (five to ten minutes on two cores the first time)"
+echo "2/3 build of the programs and the tests (some nine minutes on two cores the first time)"
 docker/build.sh tests
-echo "3/3 tests and checks (a quarter to half an hour on two cores)"
+echo "3/3 tests and checks (some twenty minutes on two cores the first time)"
 report=$PWD/build/tests.xml
 if ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" --output-junit "$report" "$@"; then
   # What a machine lacks skips a check: so it is said at the end, with the reason.

@@ -70,9 +70,9 @@ def main():
     parser.add_argument("--deck", nargs="+", choices=DECKS, default=list(DECKS))
     arguments = parser.parse_args()
     failures = 0
-    for k, deck in enumerate(arguments.deck):
+    for deck in arguments.deck:
         print(deck, flush=True)
-        column = 1 if not arguments.short else 2 if k == 0 else 3
+        column = 1 if not arguments.short else 2 if deck == next(iter(DECKS)) else 3
         scene = Scene(arguments.programs, Path(arguments.work) / deck, deck)
         failures += campaign(scene, [row[column] for row in PLAN], arguments.seed)
     return 1 if failures else 0
