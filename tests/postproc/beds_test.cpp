@@ -247,8 +247,8 @@ TEST(Beds, PresetsKnowTheRodsOfTheScene) {
   EXPECT_EQ(economy.method, "ab2");
   EXPECT_EQ(economy.mass_scaling, 5);
   EXPECT_NEAR(economy.step, 6.1e-5, 0.05e-5);
-  for (const BedModel& model : bed_comparisons({}, {"frontier"}, two).front().models)
-    EXPECT_EQ(model.overlap, 0);
+  const auto frontier = bed_comparisons({}, {"frontier"}, two);
+  for (const BedModel& model : frontier.front().models) EXPECT_EQ(model.overlap, 0);
 }
 
 // A step of the paper's model takes 5e-5 s by the engine and ten times that without: twice its step
