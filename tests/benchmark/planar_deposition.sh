@@ -20,14 +20,9 @@ done
 if [ ! -e "$out/result.json" ]; then
   rm -rf "$out"
   mkdir -p "$build/benchmark"
-  # A shell of its own, for the processor time of its children.
-  # shellcheck disable=SC2016
-  sh -c 'taskset -c 1 stdbuf -oL "$0" "$@" >&2; times' "$build/bin/liggghts" \
-    -in "$here/../../inputs/deposition/in.deposition" -var engine planar -var output_interval 10 \
-    -var restart_interval 10 -var out "$out" > "$out.times"
-  # user and system
-  awk 'NR == 2 { gsub(/s/, ""); split($1, u, "m"); split($2, s, "m"); print 60 * (u[1] + s[1]) + u[2] + s[2] }' \
-    "$out.times" > "$out/seconds"
+  "$here/core_time.sh" stdbuf -oL "$build/bin/liggghts" -in "$here/../../inputs/deposition/in.deposition" \
+    -var engine planar -var output_interval 10 -var restart_interval 10 -var out "$out" > "$out.seconds"
+  mv "$out.seconds" "$out/seconds"
 fi
 
 # The built-in's smallest median over its skins, ns per sphere and step.

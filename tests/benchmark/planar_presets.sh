@@ -18,17 +18,12 @@ export OMPI_MCA_ess_singleton_isolated=1
 mkdir -p "$work"
 : > "$work/times"
 
-# Runs a program; appends NAME and its core time, user and system, s.
+# Runs a program; appends NAME and its core time, s.
 timed() {
   name=$1
   shift
-  # A shell of its own, for the processor time of its children.
-  # shellcheck disable=SC2016
-  sh -c 'taskset -c 1 "$0" "$@" >&2; times' "$@" > "$work/$name.core" 2> "$work/$name.out" ||
-    { tail -3 "$work/$name.out"; exit 1; }
-  awk -v name="$name" 'NR == 2 { gsub(/s/, ""); split($1, u, "m"); split($2, s, "m")
-    print name, 60 * (u[1] + s[1]) + u[2] + s[2] }' "$work/$name.core" >> "$work/times"
-  tail -n 1 "$work/times"
+  seconds=$("$here/core_time.sh" "$@" 2> "$work/$name.out") || { tail -3 "$work/$name.out"; exit 1; }
+  echo "$name $seconds" | tee -a "$work/times"
 }
 
 round=0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The ways of one contact through the force evaluator: the fast path, the shortened one of contacts
-// whose bodies have jumped, and the general path. Where several know a contact they have to agree.
+// The ways of one contact through the force evaluator: the fast path, with and without a jump of
+// its bodies in the step before, and the general path. Where both know a contact they have to
+// agree.
 #include "planar/force_evaluator.h"
 
 #include <gtest/gtest.h>

@@ -50,6 +50,16 @@ struct Scene {
     return std::hypot(xi - xj, yi - yj) - bodies.info(i).radius - bodies.info(j).radius;
   }
 
+  /// The smallest gap between the spheres that a block of two bodies pairs, m.
+  double least_gap(int place) const {
+    const PlanarBlockHead& head = blocks.pairs().head(place);
+    const PlanarBlockColdData& cold = blocks.pairs().cold(place);
+    double least = 1.0;
+    for (int lane = 0; lane < planar_lanes; ++lane)
+      least = std::min(least, gap(head.i, cold.sphere_i[lane], head.j, cold.sphere_j[lane]));
+    return least;
+  }
+
   /// Bodies and spheres of all lanes that are in use.
   std::set<std::vector<int>> listed() const {
     std::set<std::vector<int>> all;
@@ -105,10 +115,7 @@ TEST(PlanarNeighbours, ABlockKnowsItsSmallestGap) {
   for (int place = 0; place < pairs.size(); ++place) {
     const PlanarBlockHead& head = pairs.head(place);
     if (head.used == 0) continue;
-    double least = 1.0;
-    for (int lane = 0; lane < planar_lanes; ++lane)
-      least = std::min(least, scene.gap(head.i, pairs.cold(place).sphere_i[lane], head.j,
-                                        pairs.cold(place).sphere_j[lane]));
+    const double least = scene.least_gap(place);
     EXPECT_LE(head.gap, least + 1e-16);
     EXPECT_NEAR(head.gap, least, 3e-7 * std::fabs(least));
   }
@@ -160,10 +167,7 @@ TEST(PlanarNeighbours, ListsFollowBodiesThatWander) {
   for (int place = 0; place < pairs.size(); ++place) {
     const PlanarBlockHead& head = pairs.head(place);
     if (head.used == 0) continue;
-    double least = 1.0;
-    for (int lane = 0; lane < planar_lanes; ++lane)
-      least = std::min(least, scene.gap(head.i, pairs.cold(place).sphere_i[lane], head.j,
-                                        pairs.cold(place).sphere_j[lane]));
+    const double least = scene.least_gap(place);
     EXPECT_LE(head.gap, least + 1e-15);
     EXPECT_LT(least, 2 * scene.settings.max_skin);
   }

@@ -34,14 +34,8 @@ void PlanarBlockPool::remove(int place) {
 }
 
 void PlanarBlockPool::remove_all_of(int body) {
-  for (const int place : of_body_[body]) {
-    const PlanarBlockHead& head = heads_[place];
-    const int other = head.i == body ? head.j : head.i;
-    if (other >= 0) forget(other, place);
-    make_hole(place);
-    --filled_;
-  }
-  of_body_[body].clear();
+  const std::vector<int> places = of_body_[body];
+  for (const int place : places) remove(place);
 }
 
 std::size_t PlanarBlockPool::contacts() const {

@@ -57,6 +57,7 @@ class PlanarBlockPool {
   /// Adds a block to part `part` of the bodies or a later one; returns its place. Its numbers are
   /// 0, or those of a block that was removed.
   int add(int part, const PlanarBlockHead& head, int law, const PlanarBlockColdData& cold);
+  /// Makes the place of a block a hole.
   void remove(int place);
   void remove_all_of(int body);
   /// Sets the smallest gap between the spheres of a block at the reference positions (m).

@@ -239,7 +239,15 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   return general | force.general;
 }
 
-/// Enters the blocks from `first` on that have such lanes.
+/// The same of blocks with a body that had an event in the step before: a function of its own, so
+/// that the others do not pay for its registers.
+template <class Load>
+__attribute__((noinline)) int evaluate_jumped_blocks(int first,
+                                                     const PlanarForceArguments& forces) {
+  return evaluate_blocks<Load, LaneJumps>(first, forces);
+}
+
+/// Enters the blocks from `first` on that have lanes for the general path.
 inline void enter_general(int first, int general, const PlanarForceArguments& forces,
                           int& entries) {
   for (int b = 0; general != 0; ++b, general >>= planar_lanes)
@@ -265,14 +273,6 @@ inline int find_awake(const PlanarForceArguments& forces) {
     count += awake;
   }
   return count;
-}
-
-/// The same of blocks with a body that had an event in the step before: a function of its own, so
-/// that the others do not pay for its registers.
-template <class Load>
-__attribute__((noinline)) int evaluate_jumped_blocks(int first,
-                                                     const PlanarForceArguments& forces) {
-  return evaluate_blocks<Load, LaneJumps>(first, forces);
 }
 
 template <class Load>
