@@ -15,16 +15,18 @@ namespace {
 
 struct Chain {
   PlanarBody body;
+  PlanarBox box;
   PlanarReference at;
 
-  Chain(const PlanarBody& of, double skin) : body(of) {
+  Chain(const PlanarBody& of, double skin)
+      : body(of), box(box_of(body.spheres.data(), static_cast<int>(body.spheres.size()))) {
     double reach = 0.0;
     for (const PlanarSphere& sphere : body.spheres)
       reach = std::max(reach, std::hypot(sphere.x, sphere.y) + body.radius);
     at = {body.position[0], body.position[1], body.cosine, body.sine, reach, skin};
   }
   PlanarChain view() const {
-    return {body.spheres.data(), static_cast<int>(body.spheres.size()), body.radius, at};
+    return {body.spheres.data(), static_cast<int>(body.spheres.size()), body.radius, box, at};
   }
   double x(int k) const {
     return at.x + at.cosine * body.spheres[k].x - at.sine * body.spheres[k].y;

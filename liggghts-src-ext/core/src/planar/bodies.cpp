@@ -75,6 +75,7 @@ void PlanarBodyStates::set_info(int body, const PlanarBody& from) {
                  from.moment,
                  from.radius,
                  reach_of(from.spheres.data(), count, from.radius),
+                 box_of(from.spheres.data(), count),
                  static_cast<int>(spheres_.size()),
                  count};
   tags_[body] = from.tag;

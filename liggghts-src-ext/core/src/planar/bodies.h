@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../planar_simd/aligned_vector.h"
+#include "candidates.h"
 #include "contact.h"
 #include "../planar_simd/arguments.h"
 #include "parts.h"
@@ -23,6 +24,7 @@ struct PlanarBodyInfo {
   bool prescribed;
   double mass, moment, radius;
   double reach;      // of its farthest point from the centre of mass, m
+  PlanarBox box;
   int first, count;  // of its spheres
 };
 

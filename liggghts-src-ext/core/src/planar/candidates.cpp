@@ -8,6 +8,66 @@
 
 namespace rodpack {
 
+namespace {
+
+/// Centres of candidates are less than this apart, m.
+double reach_of_candidates(const PlanarChain& i, const PlanarChain& j) {
+  return i.radius + j.radius + i.at.skin + j.at.skin;
+}
+
+/// A box at the reference position of its body.
+struct PlacedBox {
+  Vector2<double> middle, direction;
+  double half_length, half_width;
+
+  explicit PlacedBox(const PlanarChain& of)
+      : direction(turned(of.at.cosine, of.at.sine, {of.box.cosine, of.box.sine})),
+        half_length(of.box.half_length),
+        half_width(of.box.half_width) {
+    const Vector2<double> arm = turned(of.at.cosine, of.at.sine, {of.box.x, of.box.y});
+    middle = {of.at.x + arm.x, of.at.y + arm.y};
+  }
+};
+
+/// Whether the shadows of two boxes on both axes of the first come closer than `reach`.
+bool shadows_meet(const PlacedBox& on, const PlacedBox& other, double reach) {
+  const Vector2<double> away = {other.middle.x - on.middle.x, other.middle.y - on.middle.y};
+  const double c = std::fabs(dot(on.direction, other.direction)),
+               s = std::fabs(cross_z(on.direction, other.direction));
+  const double along = on.half_length + c * other.half_length + s * other.half_width,
+               across = on.half_width + s * other.half_length + c * other.half_width;
+  return std::fabs(dot(on.direction, away)) < along + reach &&
+         std::fabs(cross_z(on.direction, away)) < across + reach;
+}
+
+}  // namespace
+
+PlanarBox box_of(const PlanarSphere* spheres, int count) {
+  const PlanarSphere &first = spheres[0], &last = spheres[count - 1];
+  const double length = std::hypot(last.x - first.x, last.y - first.y);
+  Vector2<double> direction = {1.0, 0.0};
+  if (length > 0.0) direction = {(last.x - first.x) / length, (last.y - first.y) / length};
+  double low[2] = {0.0, 0.0}, high[2] = {0.0, 0.0};  // along and across, from the first sphere
+  for (int k = 0; k < count; ++k) {
+    const Vector2<double> from_first = {spheres[k].x - first.x, spheres[k].y - first.y};
+    const double at[2] = {dot(direction, from_first), cross_z(direction, from_first)};
+    for (int d = 0; d < 2; ++d) {
+      low[d] = std::min(low[d], at[d]);
+      high[d] = std::max(high[d], at[d]);
+    }
+  }
+  const Vector2<double> to_middle = turned<double>(
+      direction.x, direction.y, {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])});
+  return {first.x + to_middle.x,   first.y + to_middle.y,   direction.x, direction.y,
+          0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])};
+}
+
+bool are_close(const PlanarChain& i, const PlanarChain& j) {
+  const PlacedBox of_i(i), of_j(j);
+  const double reach = reach_of_candidates(i, j);
+  return shadows_meet(of_i, of_j, reach) && shadows_meet(of_j, of_i, reach);
+}
+
 void find_candidates(const PlanarChain& of_i, const PlanarChain& of_j,
                      std::vector<PlanarCandidate>& candidates) {
   const PlanarReference &a = of_i.at, &b = of_j.at;
@@ -17,13 +77,16 @@ void find_candidates(const PlanarChain& of_i, const PlanarChain& of_j,
   };
   const Vector2<double> axis = seen_from_j(a.cosine, a.sine),
                         centre = seen_from_j(a.x - b.x, a.y - b.y);
-  const double touch = of_i.radius + of_j.radius, near_by = touch + a.skin + b.skin;
-  const double around_j = b.reach - of_j.radius + near_by;
+  const double touch = of_i.radius + of_j.radius, near_by = reach_of_candidates(of_i, of_j);
+  const PlanarBox& box = of_j.box;
   for (int k = 0; k < of_i.count; ++k) {
     const PlanarSphere& i = of_i.spheres[k];
     const double x = centre.x + axis.x * i.x - axis.y * i.y;
     const double y = centre.y + axis.y * i.x + axis.x * i.y;
-    if (x * x + y * y > around_j * around_j) continue;
+    const Vector2<double> from_middle = {x - box.x, y - box.y}, along = {box.cosine, box.sine};
+    if (std::fabs(dot(along, from_middle)) > box.half_length + near_by ||
+        std::fabs(cross_z(along, from_middle)) > box.half_width + near_by)
+      continue;
     for (int l = 0; l < of_j.count; ++l) {
       const PlanarSphere& j = of_j.spheres[l];
       const double rx = x - j.x, ry = y - j.y, square = rx * rx + ry * ry;

@@ -15,14 +15,26 @@ struct PlanarCandidate {
   int sphere_i, sphere_j;
 };
 
+/// The rectangle that holds the centres of a body's spheres and lies along the line from the first
+/// to the last, in the frame of the body.
+struct PlanarBox {
+  double x, y;                     // of its middle, m
+  double cosine, sine;             // of the direction of its length
+  double half_length, half_width;  // m
+};
+PlanarBox box_of(const PlanarSphere* spheres, int count);
+
 /// A body as the search for candidates sees it: its spheres and its reference position.
 struct PlanarChain {
   const PlanarSphere* spheres;
   int count;
   double radius;  // of the spheres, m
+  const PlanarBox& box;
   const PlanarReference& at;
 };
 
+/// Whether spheres of bodies i and j may be candidates, as far as their boxes tell.
+bool are_close(const PlanarChain& i, const PlanarChain& j);
 /// Appends the sphere pairs of bodies i and j whose gap is less than both skins together.
 void find_candidates(const PlanarChain& i, const PlanarChain& j,
                      std::vector<PlanarCandidate>& candidates);

@@ -18,6 +18,8 @@ namespace {
 // of the pass, and this much before, for what the forces of these steps may add.
 constexpr double before_its_skin = 0.98;
 
+constexpr double none = std::numeric_limits<double>::infinity();  // the gap of no candidates
+
 }  // namespace
 
 PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarBodyStates& bodies,
@@ -34,10 +36,11 @@ PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarB
 void PlanarNeighbours::resize(int bodies) {
   references_.resize(bodies, PlanarReference());
   const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
-  PlanarReferenceLanes none = PlanarReferenceLanes();
-  std::fill_n(none.skin, body_lanes, std::numeric_limits<double>::infinity());
-  reference_lanes_.resize(registers, none);
+  PlanarReferenceLanes no_bodies = PlanarReferenceLanes();
+  std::fill_n(no_bodies.skin, body_lanes, none);
+  reference_lanes_.resize(registers, no_bodies);
   moved_.resize(registers * body_lanes);
+  work_.newest.resize(settings_.walls.size() + bodies, -1);
   blocks_.resize(bodies);
 }
 
@@ -127,6 +130,7 @@ bool PlanarNeighbours::follow_ghost(int ghost) {
 /// Finds the bodies before `end` that are near a body.
 void PlanarNeighbours::find_near(int body, int end) {
   const PlanarReference& at = references_[body];
+  const PlanarChain here = chain(body);
   const int owned = bodies_.owned();
   std::vector<int>& near = work_.near;
   near.clear();
@@ -136,7 +140,7 @@ void PlanarNeighbours::find_near(int body, int end) {
     const PlanarReference& there = references_[other];
     const double dx = at.x - there.x, dy = at.y - there.y;
     const double far = at.reach + there.reach + at.skin + there.skin;
-    if (dx * dx + dy * dy < far * far) near.push_back(other);
+    if (dx * dx + dy * dy < far * far && are_close(here, chain(other))) near.push_back(other);
   });
 }
 
@@ -159,23 +163,29 @@ void PlanarNeighbours::list(int body) {
   for (const PlanarBlockPool* pool : {&blocks_.pairs(), &blocks_.at_walls()})
     for (const int place : pool->of_body(body)) {
       const PlanarBlockHead& head = pool->head(place);
-      listed.push_back({head.i == body ? head.j : head.i, place});
+      const int other = head.i == body ? head.j : head.i;
+      int& newest = newest_listed(other);
+      listed.push_back({other, place, newest});
+      newest = static_cast<int>(listed.size()) - 1;
     }
   list_near(body, bodies_.size());
-  for (const ListedBlock& out_of_reach : listed)
-    blocks_.of(out_of_reach.other).remove(out_of_reach.place);
+  for (const ListedBlock& block : listed) {
+    int& newest = newest_listed(block.other);
+    for (; newest >= 0; newest = listed[newest].earlier)  // out of reach
+      blocks_.of(block.other).remove(listed[newest].place);
+  }
   listed.clear();
 }
 
 PlanarChain PlanarNeighbours::chain(int body) const {
   const PlanarBodyInfo& info = bodies_.info(body);
-  return {bodies_.spheres(body), info.count, info.radius, references_[body]};
+  return {bodies_.spheres(body), info.count, info.radius, info.box, references_[body]};
 }
 
 void PlanarNeighbours::list_pair(int i, int j, int other) {
   work_.candidates.clear();
   find_candidates(chain(i), chain(j), work_.candidates);
-  set_blocks(i, j, other, references_[i].skin + references_[j].skin);
+  set_blocks(i, j, other);
 }
 
 void PlanarNeighbours::list_walls(int i) {
@@ -183,59 +193,59 @@ void PlanarNeighbours::list_walls(int i) {
     work_.candidates.clear();
     find_candidates(chain(i), settings_.walls[w], work_.candidates);
     const int wall = -1 - static_cast<int>(w);
-    set_blocks(i, wall, wall, references_[i].skin);
+    set_blocks(i, wall, wall);
   }
 }
 
-/// Sees to it that all candidates of i and j, one of which is `other`, stand in blocks. Spheres
-/// that are no candidates are at least `skins` (m) apart.
-void PlanarNeighbours::set_blocks(int i, int j, int other, double skins) {
-  std::vector<ListedBlock>& listed = work_.blocks;
-  const auto of_pair = std::partition(
-      listed.begin(), listed.end(), [&](const ListedBlock& block) { return block.other != other; });
-  if (of_pair == listed.end() || !renew_gaps(of_pair, j, skins)) {
-    work_.contacts.clear();
-    for (auto block = of_pair; block != listed.end(); ++block)
-      blocks_.take_out(j, block->place, work_.contacts);
-    add_blocks(i, j);
-    for (const PlanarLaneState& contact : work_.contacts) blocks_.restore(contact);
-  }
-  listed.erase(of_pair, listed.end());
+/// Sees to it that all candidates of i and j, one of which is `other`, stand in blocks.
+void PlanarNeighbours::set_blocks(int i, int j, int other) {
+  std::vector<int>& of_pair = work_.of_pair;
+  of_pair.clear();
+  int& newest = newest_listed(other);
+  for (; newest >= 0; newest = work_.blocks[newest].earlier)
+    of_pair.push_back(work_.blocks[newest].place);
+  if (!of_pair.empty() && renew_gaps(j)) return;
+  work_.contacts.clear();
+  for (const int place : of_pair) blocks_.take_out(j, place, work_.contacts);
+  add_blocks(i, j);
+  for (const PlanarLaneState& contact : work_.contacts) blocks_.restore(contact);
 }
 
-/// Sets the gaps of the listed blocks from `of_pair` on if they hold all candidates.
-bool PlanarNeighbours::renew_gaps(std::vector<ListedBlock>::const_iterator of_pair, int j,
-                                  double skins) {
-  const double none = std::numeric_limits<double>::infinity();
+/// Sets the gaps of the blocks of a pair of bodies, the second one j, if they hold all candidates.
+/// Spheres that are none are farther apart than any of these.
+bool PlanarNeighbours::renew_gaps(int j) {
+  if (work_.candidates.empty()) return false;
   PlanarBlockPool& pool = blocks_.of(j);
+  const std::size_t columns = j < 0 ? 1 : bodies_.info(j).count;
+  const auto gap_of = [&](int sphere_i, int sphere_j) -> double& {
+    return work_.gap_of[sphere_i * columns + sphere_j];
+  };
+  const std::size_t last = work_.candidates.back().sphere_i;
+  if (work_.gap_of.size() < (last + 1) * columns) work_.gap_of.resize((last + 1) * columns, none);
+  for (const PlanarCandidate& pair : work_.candidates)
+    gap_of(pair.sphere_i, pair.sphere_j) = pair.gap;
   std::vector<double>& gaps = work_.gaps;
   gaps.clear();
   std::size_t found = 0;
-  for (auto block = of_pair; block != work_.blocks.cend(); ++block) {
-    const PlanarBlockHead& head = pool.head(block->place);
-    const PlanarBlockColdData& cold = pool.cold(block->place);
-    double gap = skins;
-    bool any = false;
+  for (const int place : work_.of_pair) {
+    const PlanarBlockHead& head = pool.head(place);
+    const PlanarBlockColdData& cold = pool.cold(place);
+    double smallest = none;
     for (int lane = 0; lane < planar_lanes; ++lane) {
-      if (!(head.used & 1 << lane)) continue;
-      for (const PlanarCandidate& candidate : work_.candidates)
-        if (candidate.sphere_i == cold.sphere_i[lane] &&
-            candidate.sphere_j == cold.sphere_j[lane]) {
-          gap = std::min(gap, candidate.gap);
-          any = true;
-          ++found;
-          break;
-        }
+      if (!(head.used & 1 << lane) || cold.sphere_i[lane] > last) continue;
+      const double gap = gap_of(cold.sphere_i[lane], cold.sphere_j[lane]);
+      if (gap < none) ++found;
+      smallest = std::min(smallest, gap);
     }
-    gaps.push_back(any ? gap : none);
+    gaps.push_back(smallest);
   }
-  if (found == 0 || found < work_.candidates.size()) return false;
+  for (const PlanarCandidate& pair : work_.candidates) gap_of(pair.sphere_i, pair.sphere_j) = none;
+  if (found < work_.candidates.size()) return false;
   for (std::size_t k = 0; k < gaps.size(); ++k) {
-    const int place = (of_pair + static_cast<std::ptrdiff_t>(k))->place;
     if (gaps[k] < none)
-      pool.set_gap(place, gaps[k]);
+      pool.set_gap(work_.of_pair[k], gaps[k]);
     else
-      pool.remove(place);
+      pool.remove(work_.of_pair[k]);
   }
   return true;
 }

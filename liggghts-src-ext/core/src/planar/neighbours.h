@@ -68,9 +68,12 @@ class PlanarNeighbours {
   /// A block of the body that is being listed, and the other body or wall in it.
   struct ListedBlock {
     int other, place;
+    int earlier;  // in the list: the one before it with the same other, -1: none
   };
-  void set_blocks(int i, int j, int other, double skins);
-  bool renew_gaps(std::vector<ListedBlock>::const_iterator of_pair, int j, double skins);
+  /// The last block in the list with `other`, a body or -1 - a wall; -1: none.
+  int& newest_listed(int other) { return work_.newest[settings_.walls.size() + other]; }
+  void set_blocks(int i, int j, int other);
+  bool renew_gaps(int j);
   PlanarChain chain(int body) const;
   void add_blocks(int i, int j);
   struct Coefficients {  // of the contacts of a block
@@ -98,8 +101,11 @@ class PlanarNeighbours {
   struct ListingWorkspace {
     std::vector<int> near;                    // bodies that may have candidates with one
     std::vector<PlanarCandidate> candidates;  // of two bodies
-    std::vector<ListedBlock> blocks;          // of a body, until they have been looked at
-    std::vector<double> gaps;                 // of those of two bodies
+    std::vector<ListedBlock> blocks;          // of a body
+    std::vector<int> newest;                  // of these, by body; none has been looked at yet
+    std::vector<int> of_pair;                 // places of those of two bodies
+    std::vector<double> gaps;                 // of these
+    std::vector<double> gap_of;               // of two spheres, if they are candidates
     std::vector<PlanarLaneState> contacts;    // of two bodies whose blocks are made anew
   };
   ListingWorkspace work_;
