@@ -86,6 +86,57 @@ TEST(PlanarCandidates, OfTwoRodsAreAllSpheresThatAreClose) {
   EXPECT_GT(close, 1000);
 }
 
+// The arc of 90 degrees of radius R spans R sqrt(2) along its chord and R (1 - cos 45) across it.
+TEST(PlanarCandidates, BoxesHoldAllCentresOfAChain) {
+  const double quarter = 0.5 * std::acos(-1.0), radius = 4 * diameter / quarter;
+  const PlanarBody arc = rod(5, 0.0, 0.0, 0.0, quarter);
+  const PlanarBox box = box_of(arc.spheres.data(), static_cast<int>(arc.spheres.size()));
+  EXPECT_NEAR(box.half_length, 0.5 * radius * std::sqrt(2.0), 1e-9 * diameter);
+  EXPECT_NEAR(box.half_width, 0.5 * radius * (1.0 - std::cos(0.5 * quarter)), 1e-9 * diameter);
+  for (const PlanarSphere& sphere : arc.spheres) {
+    const double x = sphere.x - box.x, y = sphere.y - box.y;
+    EXPECT_LE(std::fabs(box.cosine * x + box.sine * y), box.half_length + 1e-9 * diameter);
+    EXPECT_LE(std::fabs(box.cosine * y - box.sine * x), box.half_width + 1e-9 * diameter);
+  }
+  const PlanarBody disc = rod(1, 0.0, 0.0, 0.0);
+  EXPECT_EQ(box_of(disc.spheres.data(), 1).half_length, 0.0);
+}
+
+// Rods side by side, or one behind the other, with 1 mm between them.
+TEST(PlanarCandidates, BoxesTellRodsApartByTheirSkins) {
+  const double gap = 1e-3, angle = 0.7;
+  const Chain i(rod(5, 0.0, 0.0, angle), 4e-4);
+  for (const bool beside : {true, false}) {
+    const double away = gap + (beside ? diameter : 5 * diameter),
+                 towards = beside ? angle + 0.5 * std::acos(-1.0) : angle;
+    const PlanarBody other = rod(5, away * std::cos(towards), away * std::sin(towards), angle);
+    EXPECT_FALSE(are_close(i.view(), Chain(other, 5.9999e-4).view()));
+    EXPECT_TRUE(are_close(i.view(), Chain(other, 6.0001e-4).view()));
+  }
+}
+
+TEST(PlanarCandidates, BodiesWithCandidatesAreClose) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  int apart = 0, with_candidates = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto draw = [&](double aspect_ratio, double curvature) {
+      return Chain(rod(aspect_ratio, 0.012 * share(random), 0.012 * share(random),
+                       3.15 * share(random), curvature),
+                   5e-4);
+    };
+    const Chain i = draw(5, trial % 2 * 2.1), j = draw(3, trial % 3 * 1.0);
+    const bool close = are_close(i.view(), j.view());
+    EXPECT_EQ(close, are_close(j.view(), i.view()));
+    apart += !close;
+    if (candidates_of(i, j).empty()) continue;
+    EXPECT_TRUE(close);
+    ++with_candidates;
+  }
+  EXPECT_GT(apart, 300);
+  EXPECT_GT(with_candidates, 300);
+}
+
 // A rod of nine spheres, half a diameter apart, at angle a to a wall 2 mm under its centre: sphere
 // k is (k - 4) d/2 sin(a) + 2 mm - d/2 above it.
 TEST(PlanarCandidates, OfARodWithAWallAreTheSpheresWithinItsSkin) {
