@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../planar_simd/aligned_vector.h"
-#include "candidates.h"
+#include "box.h"
 #include "contact.h"
 #include "../planar_simd/arguments.h"
 #include "parts.h"

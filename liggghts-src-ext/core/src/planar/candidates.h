@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../planar_simd/arguments.h"
+#include "box.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {
@@ -14,15 +15,6 @@ struct PlanarCandidate {
   double gap;  // between them at the reference positions of their bodies, m
   int sphere_i, sphere_j;
 };
-
-/// The rectangle that holds the centres of a body's spheres and lies along the line from the first
-/// to the last, in the frame of the body.
-struct PlanarBox {
-  double x, y;                     // of its middle, m
-  double cosine, sine;             // of the direction of its length
-  double half_length, half_width;  // m
-};
-PlanarBox box_of(const PlanarSphere* spheres, int count);
 
 /// A body as the search for candidates sees it: its spheres and its reference position.
 struct PlanarChain {
