@@ -156,6 +156,17 @@ std::vector<FixInsertLine::Draw> FixInsertLine::draw_line() {
   return line;
 }
 
+bool FixInsertLine::keeps_clear_of(int axis, double position) const {
+  double reach = 0.0;
+  for (const Source& source : sources_) {
+    if (!is_multisphere(source.particles)) return false;
+    reach = std::max(reach, source.particles->max_r_bound());
+  }
+  // Across the line, particles fit their cells.
+  return axis == 0 ? position <= options_.x_low || position >= options_.x_high
+                   : std::fabs(position - options_.y) >= reach;
+}
+
 /// Whether this rank owns the point x. Sub-domains are half-open, and those at the edge of the box
 /// reach outwards without end, so that exactly one rank owns a point, also one outside a
 /// shrink-wrapped box.

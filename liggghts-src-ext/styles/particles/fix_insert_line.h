@@ -47,6 +47,10 @@ class FixInsertLine : public Fix {
   double max_rad(int type);
   double extend_cut_ghost();
 
+  /// Whether all that it inserts are bodies, whose spheres stay off the plane where the coordinate
+  /// `axis` (0 or 1) is `position` (m).
+  bool keeps_clear_of(int axis, double position) const;
+
   double compute_scalar() { return inserted_; }
   double compute_vector(int index);
 

@@ -43,6 +43,10 @@ const char* const known_fixes[] = {"multisphere/ab", "enforce2d/multisphere",
 
 bool quits() { return SignalHandler::request_quit && !SignalHandler::request_write_restart; }
 
+bool is_interrupted() {
+  return SignalHandler::request_quit || SignalHandler::request_write_restart;
+}
+
 bool is_known(const char* style) {
   for (const char* known : known_fixes)
     if (std::strcmp(style, known) == 0) return true;
@@ -163,17 +167,21 @@ void RunPlanar::check_fixes() const {
   }
 }
 
-bigint RunPlanar::next_observed_step() const {
+/// The next step in which fix number k has to see the scene, or has particles to insert.
+bigint RunPlanar::next_step_of(int k) const {
+  const Fix& fix = *modify->fix[k];
   const bigint now = update->ntimestep;
   bigint next = update->laststep;
-  if (output->next > now) next = std::min(next, output->next);
-  for (int k = 0; k < modify->nfix; ++k) {
-    const Fix& fix = *modify->fix[k];
-    if ((modify->fmask[k] & FixConst::END_OF_STEP) && fix.nevery > 0)
-      next = std::min(next, (now / fix.nevery + 1) * static_cast<bigint>(fix.nevery));
-    if (fix.force_reneighbor && fix.next_reneighbor > now)
-      next = std::min(next, fix.next_reneighbor);
-  }
+  if ((modify->fmask[k] & FixConst::END_OF_STEP) && fix.nevery > 0)
+    next = std::min(next, (now / fix.nevery + 1) * static_cast<bigint>(fix.nevery));
+  if (fix.force_reneighbor && fix.next_reneighbor > now) next = std::min(next, fix.next_reneighbor);
+  return next;
+}
+
+bigint RunPlanar::next_observed_step() const {
+  bigint next = update->laststep;
+  if (output->next > update->ntimestep) next = std::min(next, output->next);
+  for (int k = 0; k < modify->nfix; ++k) next = std::min(next, next_step_of(k));
   bigint next_of_all = next;
   MPI_Allreduce(&next, &next_of_all, 1, MPI_LMP_BIGINT, MPI_MIN, world);
   return next_of_all;
@@ -222,7 +230,7 @@ void RunPlanar::run_until(bigint last) {
     const bigint unobserved = observed - update->ntimestep - 1;
     bigint of_liggghts = observed - update->ntimestep;
     if (unobserved >= fewest_steps && bodies_->n_body_all() > 0) {
-      run_engine(unobserved);
+      run_engine(observed, last);
       if (anywhere(quits())) return;
       of_liggghts = 1;  // the observed step, or that in which bodies change their rank
     }
@@ -231,31 +239,47 @@ void RunPlanar::run_until(bigint last) {
   }
 }
 
-void RunPlanar::run_engine(bigint steps) {
+/// Runs the engine up to the step before the next observed one; lines that it takes in do not
+/// count.
+void RunPlanar::run_engine(bigint observed, bigint last) {
   timer->stamp();
   take_over();
+  while (FixInsertLine* const line = line_alone_in(observed)) {
+    run_scene(observed - update->ntimestep);
+    if (update->ntimestep < observed) break;
+    take_in_line(*line);
+    observed = std::min(last, next_observed_step());
+  }
+  run_scene(observed - 1 - update->ntimestep);
+  count_steps();
+  timer->stamp(TIME_PAIR);
+  give_back();
+  timer->stamp(TIME_COMM);
+}
+
+/// Makes so many steps of the engine, fewer after an interrupt, or when bodies have to change their
+/// rank.
+void RunPlanar::run_scene(bigint steps) {
   const bigint chunk = 1000;  // steps between two checks for an interrupt
-  bigint done = 0;
   try {
-    while (done < steps &&
-           !anywhere(SignalHandler::request_quit || SignalHandler::request_write_restart)) {
-      const bigint wanted = std::min(chunk, steps - done);
+    while (steps > 0 && !anywhere(is_interrupted())) {
+      const bigint wanted = std::min(chunk, steps);
       const bigint made = scene_->run(static_cast<long>(wanted));
-      done += made;
+      update->ntimestep += made;
+      steps -= made;
       if (made < wanted) break;
     }
   } catch (const std::runtime_error& reason) {
     refuse_from_one_rank(lmp, reason.what());
   }
-  update->ntimestep += done;
+}
+
+void RunPlanar::count_steps() {
   const rodpack::PlanarScene::Statistics made = scene_->statistics();
   done_.steps += made.steps;
   done_.listings += made.listings;
   done_.ghosts += made.ghosts;
   done_.sent += made.sent;
-  timer->stamp(TIME_PAIR);
-  give_back();
-  timer->stamp(TIME_COMM);
 }
 
 }  // namespace LAMMPS_NS

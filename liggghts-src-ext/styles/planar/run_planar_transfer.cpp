@@ -60,13 +60,18 @@ void RunPlanar::find_bodies() {
   }
 }
 
+rodpack::PlanarBody RunPlanar::take_body(int body, const std::vector<int>& atoms) {
+  rodpack::PlanarBody taken = bodies_->to_planar(body, atoms);
+  taken.type = atom->type[atoms[0]] - 1;
+  return taken;
+}
+
 std::vector<rodpack::PlanarBody> RunPlanar::take_bodies() {
   std::vector<rodpack::PlanarBody> bodies;
   double z[2] = {-1e300, -1e300};  // of the highest sphere, and the lowest times -1
   for (size_t k = 0; k < order_.size(); ++k) {
     const int first = atoms_[k][0];
-    bodies.push_back(bodies_->to_planar(order_[k], atoms_[k]));
-    bodies.back().type = atom->type[first] - 1;
+    bodies.push_back(take_body(order_[k], atoms_[k]));
     z[0] = std::max(z[0], atom->x[first][2]);
     z[1] = std::max(z[1], -atom->x[first][2]);
   }
@@ -166,17 +171,21 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
   return contacts;
 }
 
-void RunPlanar::take_over() {
-  find_bodies();
+/// `contacts` is asked for them once the scene is there, which knows where spheres are.
+void RunPlanar::make_scene(
+    const std::vector<rodpack::PlanarBody>& bodies,
+    const std::function<std::vector<rodpack::PlanarContactState>()>& contacts) {
   try {
-    {
-      const std::vector<rodpack::PlanarBody> bodies = take_bodies();
-      scene_.reset(new rodpack::PlanarScene(settings(bodies), bodies, ranks_.get()));
-    }
-    scene_->set_contacts(take_contacts());
+    scene_.reset(new rodpack::PlanarScene(settings(bodies), bodies, ranks_.get()));
+    scene_->set_contacts(contacts());
   } catch (const std::invalid_argument& reason) {
     refuse_from_one_rank(lmp, reason.what());
   }
+}
+
+void RunPlanar::take_over() {
+  find_bodies();
+  make_scene(take_bodies(), [this] { return take_contacts(); });
 }
 
 /// The contacts of the atoms of this rank, each as its atom sees it.
@@ -216,22 +225,27 @@ void RunPlanar::exchange_and_list() {
   neighbor->build();
 }
 
-void RunPlanar::give_back() {
+void RunPlanar::give_bodies_back() {
   bodies_->begin_planar();
   for (size_t k = 0; k < order_.size(); ++k)
     bodies_->from_planar(order_[k], atoms_[k], scene_->body(static_cast<int>(k)));
   bodies_->finish_planar();
+}
+
+void RunPlanar::give_back() {
+  give_bodies_back();
   const std::vector<PlanarContactRecord> contacts = contacts_of_atoms();
   scene_.reset();
   // The next step moves the spheres again, and then decides itself; but contacts of now have to
   // find their pairs in the list.
   const bigint dangerous = neighbor->ndanger;  // the list was not in use meanwhile
-  if (!neighbor->dist_check || neighbor->check_distance()) {
+  if (lists_lack_atoms_ || !neighbor->dist_check || neighbor->check_distance()) {
     bodies_->keep_loads();
     modify->pre_exchange();
     contacts_.write_to_atoms(contacts);
     exchange_and_list();
     bodies_->restore_loads();
+    lists_lack_atoms_ = false;
   } else {
     contacts_.write_to_lists(contacts);
   }

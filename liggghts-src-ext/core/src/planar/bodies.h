@@ -23,7 +23,7 @@ struct PlanarBodyInfo {
   int type;
   bool prescribed;
   double mass, moment, radius;
-  double reach;      // of its farthest point from the centre of mass, m
+  double reach;  // of its farthest point from the centre of mass, m
   PlanarBox box;
   int first, count;  // of its spheres
 };

@@ -25,8 +25,8 @@ PlanarBox box_of(const PlanarSphere* spheres, int count) {
   }
   const Vector2<double> to_middle = turned<double>(
       direction.x, direction.y, {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])});
-  return {first.x + to_middle.x,   first.y + to_middle.y,   direction.x, direction.y,
-          0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])};
+  return {first.x + to_middle.x, first.y + to_middle.y,    direction.x,
+          direction.y,           0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])};
 }
 
 }  // namespace rodpack
