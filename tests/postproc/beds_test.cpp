@@ -245,8 +245,8 @@ TEST(Beds, PresetsKnowTheRodsOfTheScene) {
   EXPECT_NEAR(of(three).models[0].step / of(two).models[0].step, std::sqrt(60.0 / 38), 1e-12);
   const BedModel economy = of({}).models[0];
   EXPECT_EQ(economy.method, "ab2");
-  EXPECT_EQ(economy.mass_scaling, 5);
-  EXPECT_NEAR(economy.step, 6.1e-5, 0.05e-5);
+  EXPECT_EQ(economy.mass_scaling, 5.4);
+  EXPECT_NEAR(economy.step, 3.79e-5, 0.01e-5);
   const auto frontier = bed_comparisons({}, {"frontier"}, two);
   for (const BedModel& model : frontier.front().models) EXPECT_EQ(model.overlap, 0);
 }
