@@ -83,7 +83,7 @@ TEST(Rooms, DependenciesOfTheStylesPointOneWay) {
                        {"contact", {"support"}},
                        {"motion", {"support", "contact"}},
                        {"measuring", {"support", "contact"}},
-                       {"planar", {"support", "contact", "motion"}}};
+                       {"planar", {"support", "contact", "motion", "particles"}}};
   const fs::path styles = "liggghts-src-ext/styles";
   // LIGGGHTS puts all headers into one folder: they are included by their names alone.
   std::map<std::string, std::string> rooms;

@@ -3,6 +3,7 @@
 // costs as much as some 200 steps of the engine, and an inserted line changes nothing but that
 // there are more bodies.
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "atom.h"
@@ -42,7 +43,7 @@ FixInsertLine* RunPlanar::line_alone_in(bigint step) const {
 void RunPlanar::take_in_line(FixInsertLine& line) {
   give_bodies_back();  // the line must not overlap them
   std::vector<rodpack::PlanarBody> bodies = take_bodies();
-  const std::vector<rodpack::PlanarContactState> contacts = scene_->contacts();
+  std::vector<rodpack::PlanarContactState> contacts = scene_->contacts();
   count_steps();
 
   const int first_atom = atom->nlocal;
@@ -56,7 +57,7 @@ void RunPlanar::take_in_line(FixInsertLine& line) {
   }
   lists_lack_atoms_ = true;
 
-  make_scene(bodies, [&] { return contacts; });
+  make_scene(bodies, [&] { return std::move(contacts); });
 }
 
 /// A body that nothing touches yet: only its weight acts on it.

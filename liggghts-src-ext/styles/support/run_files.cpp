@@ -15,6 +15,7 @@
 #include <ctime>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -57,6 +58,14 @@ std::string for_each_file(const std::string& folder,
   return "";
 }
 
+std::string lock_of(const std::string& folder) { return folder + "/.lock"; }
+
+/// The lock files of this process, open, by their folders.
+std::map<std::string, int>& locks() {
+  static std::map<std::string, int> files;
+  return files;
+}
+
 std::string remove_file(const std::string& file) {
   return unlink(file.c_str()) == 0 ? "" : fault("cannot remove " + file);
 }
@@ -93,12 +102,12 @@ std::string make_folder(const std::string& folder) {
 }
 
 std::string lock_folder(const std::string& folder, double seconds) {
-  const std::string name = folder + "/.lock";
+  const std::string name = lock_of(folder);
   // Kept open until the process ends, however that happens: then the system frees the lock.
   const int file = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return fault("cannot open " + name);
   for (double waited = 0.0; flock(file, LOCK_EX | LOCK_NB) != 0; waited += 0.1) {
-    if (errno != EWOULDBLOCK) return "";  // a file system without locks
+    if (errno != EWOULDBLOCK) break;  // a file system without locks
     if (waited >= seconds) {
       close(file);
       return "another run is at work in it: " + first_line(name);
@@ -109,7 +118,17 @@ std::string lock_folder(const std::string& folder, double seconds) {
   if (ftruncate(file, 0) != 0 ||
       pwrite(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
     return fault("cannot write " + name);
+  locks()[folder] = file;
   return "";
+}
+
+std::string check_lock(const std::string& folder) {
+  const auto lock = locks().find(folder);
+  if (lock == locks().end()) return "";
+  struct stat there, held;
+  const bool same = stat(lock_of(folder).c_str(), &there) == 0 && fstat(lock->second, &held) == 0 &&
+                    there.st_ino == held.st_ino && there.st_dev == held.st_dev;
+  return same ? "" : "this is no longer the folder that was opened, which was moved or removed";
 }
 
 std::string write_whole(const std::string& file, const std::string& text) {

@@ -49,6 +49,22 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
 
 }  // namespace
 
+// LIGGGHTS makes the folder of a dump anew: the result would stand there, without the run.
+TEST(RunFolder, HasNoResultWhereItWasMovedAway) {
+  const std::string open = "run_folder open run dumps\n",
+                    write = "run_folder write run/result.json x\n";
+  const auto whole = run_liggghts(open + write);
+  EXPECT_EQ(whole.exit_code, 0) << whole.output;
+  EXPECT_EQ(text_of(whole.folder / "run" / "result.json"), "x\n");
+  for (const char* then : {"shell mkdir run\n", "", "shell mkdir run\nrun_folder open other\n"}) {
+    const auto moved = run_liggghts(open + "shell mv run away\n" + then + write);
+    EXPECT_NE(moved.exit_code, 0);
+    EXPECT_THAT(moved.output, HasSubstr("run_folder write run/result.json: this is no longer the "
+                                        "folder that was opened, which was moved or removed"));
+    EXPECT_FALSE(fs::exists(moved.folder / "run" / "result.json"));
+  }
+}
+
 TEST(RunFolder, WordsOfTheCommandLineThatMeanNothingAreRefused) {
   const std::pair<const char*, const char*> cases[] = {
       {"-var seed 1 -var seed 2", "'seed' is given twice on the command line, as '1' and '2'"},
