@@ -50,10 +50,7 @@ void RunFolder::command(int narg, char** arg) {
     arguments.require_end();
     // Ranks other than 0 have variables to work out, too, which computes may need.
     const std::string line = substituted(text) + "\n";
-    if (comm->me == 0) {
-      fault = check_lock(name.substr(0, name.rfind('/')));
-      if (fault.empty()) fault = write_whole(name, line);
-    }
+    if (comm->me == 0) fault = write_whole(name, line);
   }
   if (!fault.empty()) fault = "run_folder " + verb + " " + name + ": " + fault;
   stop_run_by_rank_0(lmp, fault);

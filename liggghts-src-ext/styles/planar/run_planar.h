@@ -62,6 +62,7 @@ class RunPlanar : public Verlet {
   void find_bodies();
   std::vector<rodpack::PlanarBody> take_bodies();
   rodpack::PlanarBody take_body(int body, const std::vector<int>& atoms);
+  void check_plane(const std::vector<rodpack::PlanarBody>& bodies) const;
   rodpack::PlanarSettings settings(const std::vector<rodpack::PlanarBody>& bodies) const;
   void make_scene(const std::vector<rodpack::PlanarBody>& bodies,
                   const std::function<std::vector<rodpack::PlanarContactState>()>& contacts);

@@ -68,21 +68,23 @@ rodpack::PlanarBody RunPlanar::take_body(int body, const std::vector<int>& atoms
 
 std::vector<rodpack::PlanarBody> RunPlanar::take_bodies() {
   std::vector<rodpack::PlanarBody> bodies;
+  for (size_t k = 0; k < order_.size(); ++k) bodies.push_back(take_body(order_[k], atoms_[k]));
+  return bodies;
+}
+
+void RunPlanar::check_plane(const std::vector<rodpack::PlanarBody>& bodies) const {
   double z[2] = {-1e300, -1e300};  // of the highest sphere, and the lowest times -1
-  for (size_t k = 0; k < order_.size(); ++k) {
-    const int first = atoms_[k][0];
-    bodies.push_back(take_body(order_[k], atoms_[k]));
-    z[0] = std::max(z[0], atom->x[first][2]);
-    z[1] = std::max(z[1], -atom->x[first][2]);
+  for (const std::vector<int>& atoms : atoms_) {
+    z[0] = std::max(z[0], atom->x[atoms[0]][2]);
+    z[1] = std::max(z[1], -atom->x[atoms[0]][2]);
   }
   ranks_->largest(z, 2);
-  for (size_t k = 0; k < order_.size(); ++k) {
-    if (z[0] + z[1] <= 1e-9 * bodies[k].radius) continue;
+  for (const rodpack::PlanarBody& body : bodies) {
+    if (z[0] + z[1] <= 1e-9 * body.radius) continue;
     char planes[128];
     std::snprintf(planes, sizeof planes, "spheres lie in planes from z = %g to %g m", -z[1], z[0]);
     refuse_from_one_rank(lmp, std::string(planes) + ", expected one plane z = const");
   }
-  return bodies;
 }
 
 rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBody>& bodies) const {
@@ -175,6 +177,7 @@ std::vector<rodpack::PlanarContactState> RunPlanar::take_contacts() {
 void RunPlanar::make_scene(
     const std::vector<rodpack::PlanarBody>& bodies,
     const std::function<std::vector<rodpack::PlanarContactState>()>& contacts) {
+  check_plane(bodies);
   try {
     scene_.reset(new rodpack::PlanarScene(settings(bodies), bodies, ranks_.get()));
     scene_->set_contacts(contacts());

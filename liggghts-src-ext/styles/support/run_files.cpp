@@ -66,6 +66,17 @@ std::map<std::string, int>& locks() {
   return files;
 }
 
+/// Whether a folder is still the one whose lock this process took, if it took one: LIGGGHTS makes
+/// folders anew for its dumps and restart files.
+std::string check_lock(const std::string& folder) {
+  const auto lock = locks().find(folder);
+  if (lock == locks().end()) return "";
+  struct stat there, held;
+  const bool same = stat(lock_of(folder).c_str(), &there) == 0 && fstat(lock->second, &held) == 0 &&
+                    there.st_ino == held.st_ino && there.st_dev == held.st_dev;
+  return same ? "" : "this is no longer the folder that was opened, which was moved or removed";
+}
+
 std::string remove_file(const std::string& file) {
   return unlink(file.c_str()) == 0 ? "" : fault("cannot remove " + file);
 }
@@ -122,23 +133,16 @@ std::string lock_folder(const std::string& folder, double seconds) {
   return "";
 }
 
-std::string check_lock(const std::string& folder) {
-  const auto lock = locks().find(folder);
-  if (lock == locks().end()) return "";
-  struct stat there, held;
-  const bool same = stat(lock_of(folder).c_str(), &there) == 0 && fstat(lock->second, &held) == 0 &&
-                    there.st_ino == held.st_ino && there.st_dev == held.st_dev;
-  return same ? "" : "this is no longer the folder that was opened, which was moved or removed";
-}
-
 std::string write_whole(const std::string& file, const std::string& text) {
+  std::string what = check_lock(file.substr(0, file.rfind('/')));
+  if (!what.empty()) return what;
   const std::string part = file + ".part";
   std::FILE* const out = std::fopen(part.c_str(), "w");
   if (!out) return fault("cannot write " + part);
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size() &&
                        std::fflush(out) == 0 && fsync(fileno(out)) == 0;
-  std::string what = written ? "" : fault("cannot write " + part);
+  if (!written) what = fault("cannot write " + part);
   if (std::fclose(out) != 0 && what.empty()) what = fault("cannot write " + part);
   if (what.empty() && std::rename(part.c_str(), file.c_str()) != 0)
     what = fault("cannot write " + file);

@@ -19,11 +19,9 @@ std::string make_folder(const std::string& folder);
 
 /// Takes the lock of a folder for as long as this process lives; waits `seconds` for another owner.
 std::string lock_folder(const std::string& folder, double seconds);
-/// Whether a folder is still the one whose lock this process took, if it took one: LIGGGHTS makes
-/// folders anew for its dumps and restart files.
-std::string check_lock(const std::string& folder);
 
-/// Writes a file aside, brings it to the disk and gives it its name then.
+/// Writes a file aside, brings it to the disk and gives it its name then; not into a folder in the
+/// place of one whose lock this process took.
 std::string write_whole(const std::string& file, const std::string& text);
 
 /// Takes out of a table, whose first column is the step, the rows of steps after `step` and rows
