@@ -47,6 +47,18 @@ TEST(ContactErrors, MultistepOrder) {
   EXPECT_EQ(run_liggghts(collision, {{"order", "4"}, {"multistep", "4"}}).exit_code, 0);
 }
 
+TEST(ContactErrors, DashpotsRelaxUnderVelocityVerletAlone) {
+  const std::string relaxation = "fix tau all property/global dashpotRelaxation ";
+  expect_error(small_deck(ours, "unfix integrator\nfix integrator all nve/sphere/ab order 2\n" +
+                                    relaxation + "scalar 1e-5"),
+               {},
+               "property/global dashpotRelaxation: the integrator that runs is of order 2, "
+               "expected velocity Verlet: 'fix multisphere/ab order 0', or LIGGGHTS's own");
+  expect_error(small_deck(ours, relaxation + "peratomtypepair 1 1e-5"), {},
+               "scalar style required for fix property/global variable dashpotRelaxation");
+  EXPECT_EQ(run_liggghts(small_deck(ours, relaxation + "scalar 1e-5")).exit_code, 0);
+}
+
 TEST(ContactErrors, SettingsOfStockModelsSayWhatIsRight) {
   const std::string stock = "model hooke/stiffness tangential history";
   expect_error(small_deck(stock + " tangential_damping maybe", ""), {},

@@ -74,6 +74,13 @@ std::string with_lines_every(int steps, std::string text = deck) {
   return text;
 }
 
+/// The same with dashpots that take some time to feel a velocity.
+std::string with_relaxation(std::string text = deck) {
+  text.insert(text.find("fix gravity"),
+              "fix tau all property/global dashpotRelaxation scalar 2e-5\n");
+  return text;
+}
+
 /// The same with friction up to mu times the whole normal force, or, with "off", up to what it is
 /// without a word.
 std::string with_cap(std::string text, const std::string& on_or_off = "on") {
@@ -142,6 +149,9 @@ TEST(PlanarEngine, TrajectoriesAreThoseOfTheSphereLevelStyles) {
                                                 {deck, {{"order", "1"}}},
                                                 {deck, {{"order", scaled}, {"events", "no"}}},
                                                 {deck, {{"order", scaled}}},
+                                                {deck, {{"order", "0"}}},
+                                                {with_relaxation(), {{"order", "0"}}},
+                                                {with_relaxation(total), {{"order", "0"}}},
                                                 {deck, {{"curvature", "120"}}},
                                                 {deck, {{"ar", "1"}}},
                                                 {deck, {{"ar", "2"}}},
@@ -154,7 +164,7 @@ TEST(PlanarEngine, TrajectoriesAreThoseOfTheSphereLevelStyles) {
   for (const auto& [text, changes] : cases) {
     Vars vars = changes;
     const std::string name =
-        vars.begin()->first + " " + vars.begin()->second + (text == deck ? "" : " total cap");
+        vars.begin()->first + " " + vars.begin()->second + (text == deck ? "" : " another deck");
     vars.insert({"steps", "10000"});
     vars["every"] = "1000";
     const auto spheres = finished(vars, "verlet", text),
@@ -184,7 +194,7 @@ TEST(PlanarEngine, TakesLinesInWithoutAStepOfLiggghts) {
       "yplane 0.0874 multistepOrder 4";
   for (const auto& [extra, share] : {std::make_pair(std::string("variable none equal 0"), "99.98"),
                                      std::make_pair(roof, "99.96")})
-    for (const char* order : {"3", "2 mass_scaling 2"}) {
+    for (const char* order : {"3", "2 mass_scaling 2", "0"}) {
       const Vars vars = {{"rods", "9"},     {"height", "0.08"}, {"steps", "14000"},
                          {"every", "7000"}, {"extra", extra},   {"order", order}};
       const auto spheres = finished(vars, "verlet"), planar = finished(vars, "verlet/planar");
@@ -252,25 +262,60 @@ TEST(PlanarEngine, RunsWithTheInstructionsThatItIsTold) {
 TEST(PlanarEngine, RestartGoesOnExactly) {
   const struct {
     const char *cap, *order, *style;
-  } cases[] = {{"off", "3", "verlet/planar"},
-               {"on", "3", "verlet/planar"},
-               {"off", "2 mass_scaling 2", "verlet/planar"},
-               {"off", "2 mass_scaling 2", "verlet"}};
-  for (const auto& [cap, order, style] : cases) {
+    bool relaxes;
+  } cases[] = {{"off", "3", "verlet/planar", false},
+               {"on", "3", "verlet/planar", false},
+               {"off", "2 mass_scaling 2", "verlet/planar", false},
+               {"off", "2 mass_scaling 2", "verlet", false},
+               {"off", "0", "verlet/planar", true},
+               {"on", "0", "verlet", true}};
+  for (const auto& [cap, order, style, relaxes] : cases) {
+    const auto text = [cap = cap, relaxes = relaxes](const std::string& restart) {
+      const std::string plain = with_cap(deck_from(restart), cap);
+      return relaxes ? with_relaxation(plain) : plain;
+    };
     const Vars vars = {{"rods", "15"},    {"height", "0.08"}, {"steps", "20000"},
                        {"every", "1000"}, {"order", order},   {"extra", "restart 9000 r.*"},
                        {"style", style}};
-    const auto run = run_liggghts(with_cap(deck, cap), vars);
+    const auto run = run_liggghts(text(""), vars);
     ASSERT_EQ(run.exit_code, 0) << run.output;
     const Table whole = last(run, "bodies", vars);
     std::filesystem::remove(run.folder / "bodies.20000.dump");
     Vars rest = vars;
     rest["steps"] = "11000";
-    const auto again = run_liggghts_in(run.folder, with_cap(deck_from("r.9000"), cap), rest);
+    const auto again = run_liggghts_in(run.folder, text("r.9000"), rest);
     ASSERT_EQ(again.exit_code, 0) << again.output;
     const Table parts = last(run, "bodies", vars);
     for (const char* column : {"x", "y", "qz", "vx", "vy", "omegaz"})
       EXPECT_EQ(whole.column(column), parts.column(column)) << cap << order << style << column;
+  }
+}
+
+// Contacts of a file whose dashpots did not relax have not felt anything; those of one whose did
+// may no longer.
+TEST(PlanarEngine, DashpotsMayBeginAndCeaseToRelaxInARestart) {
+  for (const bool begin : {true, false}) {
+    const auto text = [&](const std::string& restart, bool relaxes) {
+      return relaxes ? with_relaxation(deck_from(restart)) : deck_from(restart);
+    };
+    Vars vars = {{"rods", "15"},     {"height", "0.08"}, {"steps", "9000"},
+                 {"every", "9000"},  {"order", "0"},     {"extra", "restart 9000 r.*"},
+                 {"style", "verlet"}};
+    const auto first = run_liggghts(text("", !begin), vars);
+    ASSERT_EQ(first.exit_code, 0) << first.output;
+    ASSERT_GT(last(first, "contacts", vars).rows(), 5u);
+    vars.insert_or_assign("steps", "500");
+    vars.insert_or_assign("every", "500");
+    vars["extra"] = "variable none equal 0";
+    std::vector<Table> ends;
+    for (const char* style : {"verlet", "verlet/planar"}) {
+      vars["style"] = style;
+      const auto rest = run_liggghts_in(first.folder, text("r.9000", begin), vars);
+      ASSERT_EQ(rest.exit_code, 0) << rest.output;
+      ends.push_back(read_dump(first.folder / "bodies.9500.dump"));
+    }
+    for (const char* column : {"vx", "vy"})
+      EXPECT_LT(difference(ends[0], ends[1], column, 0.1), 1e-9) << begin << column;
   }
 }
 
@@ -322,12 +367,19 @@ TEST(PlanarEngine, RanksAgreeWithOneRankToRounding) {
   // The contacts that mass scaling counts are those of all ranks, with either style.
   const Vars shared = {{"rods", "15"},    {"height", "0.08"}, {"steps", "17418"},
                        {"every", "5806"}, {"events", "no"},   {"extra", looks}};
-  for (const char* style : {"verlet", "verlet/planar"}) {
+  const struct {
+    const char *style, *order;
+    std::string text;
+  } cases[] = {{"verlet", "2 mass_scaling 2", lines},
+               {"verlet/planar", "2 mass_scaling 2", lines},
+               {"verlet", "0 mass_scaling 2", with_relaxation(lines)},
+               {"verlet/planar", "0 mass_scaling 2", with_relaxation(lines)}};
+  for (const auto& [style, order, text] : cases) {
     Vars vars = shared;
     vars["style"] = style;
     const auto plain = run_liggghts(lines, vars);
-    vars["order"] = "2 mass_scaling 2";
-    const auto one = run_liggghts(lines, vars), two = run_liggghts(lines, vars, 2);
+    vars["order"] = order;
+    const auto one = run_liggghts(text, vars), two = run_liggghts(text, vars, 2);
     ASSERT_EQ(two.exit_code, 0) << two.output;
     const Table a = last(one, "bodies", vars), b = last(two, "bodies", vars);
     EXPECT_LT(difference(a, b, "x"), 1e-10) << style;

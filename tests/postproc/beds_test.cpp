@@ -244,9 +244,10 @@ TEST(Beds, PresetsKnowTheRodsOfTheScene) {
   EXPECT_TRUE(of(two).models[1] == paper_model(true, two));
   EXPECT_NEAR(of(three).models[0].step / of(two).models[0].step, std::sqrt(60.0 / 38), 1e-12);
   const BedModel economy = of({}).models[0];
-  EXPECT_EQ(economy.method, "ab2");
-  EXPECT_EQ(economy.mass_scaling, 5.4);
-  EXPECT_NEAR(economy.step, 3.79e-5, 0.01e-5);
+  EXPECT_EQ(economy.method, "leapfrog");
+  EXPECT_EQ(economy.mass_scaling, 6.5);
+  EXPECT_EQ(economy.relaxation_steps, 1);
+  EXPECT_NEAR(economy.step, 5.39e-5, 0.01e-5);
   const auto frontier = bed_comparisons({}, {"frontier"}, two);
   for (const BedModel& model : frontier.front().models) EXPECT_EQ(model.overlap, 0);
 }
@@ -275,6 +276,7 @@ TEST(Beds, RowsComeBackFromTheirText) {
   model.overlap = 0.875;
   model.stiffness = 1000;
   model.mass_scaling = 4;
+  model.relaxation_steps = 1.5;
   BedRow row = bed(model, 7);
   row.mean_force = 1.0 / 3;
   row.contacts = 11.25;
@@ -337,6 +339,7 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
   BedModel model;
   model.overlap = 0.75;
   model.mass_scaling = 4.5;
+  model.relaxation_steps = 2;
   settings.bed_scene = {24, 5};
   const auto row = run_bed(settings, folder.string(), model, 3);
   EXPECT_EQ(row.rods, 2);
@@ -360,6 +363,7 @@ TEST(Beds, ARowHoldsWhatTheRunLeft) {
               HasSubstr("-var integrator multisphere/ab order 3 events yes mass_scaling 4.5 planar "
                         "yes "));
   EXPECT_THAT(arguments.str(), HasSubstr("-var style verlet "));
+  EXPECT_THAT(arguments.str(), HasSubstr("-var relaxation 2.2e-05 "));
   EXPECT_THAT(arguments.str(),
               HasSubstr("-var lines 24 -var overlap 0.75 -var per_line 5 -var seed 3"));
 }

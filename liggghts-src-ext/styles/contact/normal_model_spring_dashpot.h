@@ -19,6 +19,7 @@ NORMAL_MODEL(SPRING_DASHPOT,spring_dashpot,41)
 #include "rodpack/contact/contact_history.h"
 #include "rodpack/contact/contact_law.h"
 #include "rodpack/contact/normal_history.h"
+#include "running_dashpots.h"
 #include "stop_run.h"
 #include "style_arguments.h"
 #include "update.h"
@@ -91,6 +92,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     check_type_pairs(lmp, ntypes, kt_, "kt", stiffness);
     check_type_pairs(lmp, ntypes, eta_n_, "dampingRatioNormal", ratio);
     check_type_pairs(lmp, ntypes, eta_t_, "dampingRatioTangential", ratio);
+    dashpots_.connect(lmp);
     if (force->cg_active()) error->cg(FLERR, caller);
   }
 
@@ -100,10 +102,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     if (sidata.contact_flags) *sidata.contact_flags |= CONTACT_NORMAL_MODEL;
     // sidata.meff comes from the bodies: each sphere of a clump carries the clump's mass in rmass.
     set_coefficients(sidata);
-    const rodpack::NormalForce normal =
-        rodpack::normal_force(sidata.kn, sidata.gamman, sidata.deltan, sidata.vn);
-    sidata.Fn = normal.total;
-    follow(sidata, normal.viscoelastic);
+    sidata.Fn = force_on_its_history(sidata);
     ContactCounts* const counts = ContactCounts::active();
     if (counts && sidata.computeflag) counts->add(sidata);
 
@@ -143,20 +142,29 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
     contact.gammat = rodpack::damping_coefficient(eta_t_[i][j], contact.meff, contact.kt);
   }
 
-  /// Keeps the history of a contact under the force `viscoelastic`, before its cut-off at 0, and
-  /// reports its events.
-  void follow(const SurfacesIntersectData& contact, double viscoelastic) {
-    if (!contact.computeflag) return;
+  /// The normal force of a contact, N, with its history brought to this step and its events
+  /// reported; where no forces are wanted, without a trace.
+  double force_on_its_history(const SurfacesIntersectData& contact) const {
     double* const stored = contact.contact_history + offset_;
     rodpack::NormalHistory history = rodpack::unpack_normal(stored);
     const bool alive = history.next_step == update->ntimestep;
     // At set-up the evaluation of the last step is repeated, except after `restart N`, which saves
     // the contacts of pairs as they were one evaluation before.
-    if (contact.shearupdate || history.next_step == 0 || alive)
-      rodpack::follow_normal_force(contact, history, viscoelastic, alive, update->dt,
+    const bool renewed =
+        contact.computeflag && (contact.shearupdate || history.next_step == 0 || alive);
+    double velocity = history.relaxes ? history.felt_velocity : contact.vn;
+    if (renewed)
+      velocity = rodpack::follow_velocity(contact, history, alive, dashpots_.kept(update->dt));
+    const rodpack::NormalForce normal =
+        rodpack::normal_force(contact.kn, contact.gamman, contact.deltan, velocity);
+    if (renewed)
+      rodpack::follow_normal_force(contact, history, normal.viscoelastic, alive, update->dt,
                                    ContactEvents::armed());
-    history.next_step = update->ntimestep + 1;
-    rodpack::pack(history, stored);
+    if (contact.computeflag) {
+      history.next_step = update->ntimestep + 1;
+      rodpack::pack(history, stored);
+    }
+    return normal.total;
   }
 
   int offset_;      // of its values in a contact's history
@@ -164,6 +172,7 @@ class NormalModel<SPRING_DASHPOT> : public NormalModelBase {
   double** kt_;     // tangential stiffness k_t,ij, N/m
   double** eta_n_;  // damping ratios
   double** eta_t_;
+  RunningDashpots dashpots_;
 };
 
 }  // namespace ContactModels

@@ -19,6 +19,7 @@ TANGENTIAL_MODEL(TANGENTIAL_SPRING_DASHPOT,spring_dashpot,41)
 #include "normal_model_spring_dashpot.h"
 #include "rodpack/motion/multistep.h"
 #include "rodpack/contact/tangential_history.h"
+#include "running_dashpots.h"
 #include "stop_run.h"
 #include "style_arguments.h"
 #include "tangential_model_base.h"
@@ -92,7 +93,11 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
     registry.connect("coeffFrict", friction_, "tangential_model spring_dashpot");
     check_type_pairs(lmp, registry.max_type(), friction_, "coefficientFriction",
                      "a coefficient in [0, 1e15]");
-    order_ = running_order();
+    order_ = highest_running_order(lmp);
+    for (const int order : running_orders(lmp))
+      if (order != order_)
+        stop_run(lmp, "tangential spring_dashpot: all multistep integrators need the same order");
+    dashpots_.connect(lmp);
     events_ = followed_events();
     if (order_ > slots_) {
       const std::string order = std::to_string(order_);
@@ -173,21 +178,8 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   }
 
   rodpack::TangentialStep this_step() const {
-    return rodpack::TangentialStep{order_, update->ntimestep, update->dt};
-  }
-
-  /// Order of the multistep integrator among the fixes, 0 if none: velocity Verlet.
-  int running_order() const {
-    int order = 0;
-    for (int i = 0; i < modify->nfix; ++i) {
-      int dim = 0;
-      const int* found = static_cast<int*>(modify->fix[i]->extract("multistep_order", dim));
-      if (!found) continue;
-      if (order != 0 && order != *found)
-        stop_run(lmp, "tangential spring_dashpot: all multistep integrators need the same order");
-      order = *found;
-    }
-    return order;
+    return rodpack::TangentialStep{order_, update->ntimestep, update->dt,
+                                   dashpots_.kept(update->dt)};
   }
 
   /// The events that the integrator follows, null if it follows none.
@@ -231,6 +223,7 @@ class TangentialModel<TANGENTIAL_SPRING_DASHPOT> : public TangentialModelBase {
   int cap_offset_;         // of what that cap remembers
   int order_;              // of the integrator that runs, 0: velocity Verlet
   ContactEvents* events_;  // that the integrator follows, or null
+  RunningDashpots dashpots_;
 };
 
 }  // namespace ContactModels

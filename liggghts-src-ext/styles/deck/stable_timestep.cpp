@@ -13,6 +13,7 @@
 #include "rodpack/contact/contact_law.h"
 #include "rodpack/contact/power_law.h"
 #include "rodpack/geometry/mass_properties.h"
+#include "rodpack/contact/dashpot_relaxation.h"
 #include "rodpack/motion/mass_scaling.h"
 #include "stop_run.h"
 #include "style_arguments.h"
@@ -59,19 +60,21 @@ void StableTimestep::command(int narg, char** arg) {
   const std::string name = variable_name(arguments);
   rodpack::PackingLaw law = {};
   rodpack::ChainShape shape = {};
-  double scaling = 0.0, density = 0.0, fraction = 0.9, fewest = 12.0;
+  double scaling = 0.0, density = 0.0, fraction = 0.9, fewest = 12.0, relaxation = 0.0;
   int order = 0;
   while (arguments.more()) {
     const std::string keyword = arguments.new_keyword();
     const auto number = [&](const char* expected) { return arguments.number(keyword, expected); };
     if (keyword == "order")
-      order = arguments.integer(keyword, "a whole number in [1, 4]");
+      order = arguments.integer(keyword, "a whole number in [0, 4], 0 for leapfrog");
     else if (keyword == "mass_scaling")
       scaling = number("a ratio of frequencies in [1, 1000]");
     else if (keyword == "stiffness")
       law.stiffness = number("a stiffness (N/m) in (0, 1e15]");
     else if (keyword == "damping_ratio")
       law.damping_ratio = number("a ratio in [0, 1)");
+    else if (keyword == "relaxation_steps")
+      relaxation = number("a number of steps in [0, 1000], 0 for none");
     else if (keyword == "aspect_ratio")
       shape.aspect_ratio = number("a ratio in [1, 1000]");
     else if (keyword == "diameter")
@@ -84,11 +87,16 @@ void StableTimestep::command(int narg, char** arg) {
       fewest = number("a number of steps in [2, 1e9]");
     else
       arguments.reject_keyword(keyword,
-                               "order, mass_scaling, stiffness, damping_ratio, aspect_ratio, "
-                               "diameter, density, fraction or steps_per_collision");
+                               "order, mass_scaling, stiffness, damping_ratio, relaxation_steps, "
+                               "aspect_ratio, diameter, density, fraction or "
+                               "steps_per_collision");
   }
   arguments.require({"order", "mass_scaling", "stiffness", "damping_ratio", "aspect_ratio",
                      "diameter", "density"});
+  if (relaxation > 0.0 && order > 0)
+    arguments.fail("relaxation_steps is '" + text_of(relaxation) + "' with order " +
+                   std::to_string(order) + ", expected 0, or order 0");
+  law.dashpot_share = rodpack::share_in_fastest_motion(relaxation, 1.0);
   double limit = 0.0;
   try {
     law.lightest_mass =

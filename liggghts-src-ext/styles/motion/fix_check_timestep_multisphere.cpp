@@ -23,9 +23,11 @@
 #include "pair_gran.h"
 #include "particle_identity.h"
 #include "rodpack/contact/contact_law.h"
+#include "rodpack/contact/dashpot_relaxation.h"
 #include "rodpack/contact/power_law.h"
 #include "rodpack/contact/rolling_spring.h"
 #include "rodpack/motion/stability_limit.h"
+#include "running_dashpots.h"
 #include "stop_run.h"
 #include "style_arguments.h"
 #include "update.h"
@@ -86,7 +88,8 @@ void FixCheckTimestepMultisphere::init() {
   recorder_.check_springs();
   single_contact_ = static_cast<PairGran*>(force->pair_match("gran", 0))
                         ->contact_match("normal", "spring_dashpot");
-  order_ = running_order();
+  order_ = highest_running_order(lmp);
+  relaxation_ = dashpot_relaxation(lmp);
 }
 
 void FixCheckTimestepMultisphere::setup(int) {
@@ -101,14 +104,9 @@ double FixCheckTimestepMultisphere::compute_vector(int n) {
   return n == 1 ? steps_per_collision_ : contacts_;
 }
 
-int FixCheckTimestepMultisphere::running_order() const {
-  int order = 0;
-  for (int k = 0; k < modify->nfix; ++k) {
-    int dimension = 0;
-    const int* found = static_cast<int*>(modify->fix[k]->extract("multistep_order", dimension));
-    if (found) order = std::max(order, *found);
-  }
-  return order;
+/// The share of a dashpot that decides about stability.
+double FixCheckTimestepMultisphere::dashpot_share() const {
+  return rodpack::share_in_fastest_motion(relaxation_, update->dt);
 }
 
 double FixCheckTimestepMultisphere::property(const char* name, int i, int j) const {
@@ -159,7 +157,8 @@ FixCheckTimestepMultisphere::Limit FixCheckTimestepMultisphere::limit_of_single_
   for (int i = 1; i <= atom->ntypes; ++i) {
     for (int j = i; j <= atom->ntypes; ++j) {
       const double kn = property("kn", i, j), eta = property("dampingRatioNormal", i, j);
-      const double timestep = rodpack::stability_limit(order_, eta) / std::sqrt(kn / mass);
+      const double timestep =
+          rodpack::stability_limit(order_, dashpot_share() * eta) / std::sqrt(kn / mass);
       if (timestep < limit.timestep) limit = {timestep, kn / mass, 0, 0};
       const double damping = rodpack::damping_coefficient(eta, 0.5 * mass, kn);
       duration = std::min(duration, rodpack::half_period(kn, damping, 0.5 * mass));
@@ -192,14 +191,14 @@ std::vector<NetworkContact> FixCheckTimestepMultisphere::contacts_here(
     one.stiffness_n = rodpack::tangent_stiffness(record.kn, record.exponent);
     // It has only just touched, or is held by a liquid bridge.
     if (!(one.stiffness_n > 0.0)) continue;
-    one.damping_n = record.damping_n;
+    one.damping_n = dashpot_share() * record.damping_n;
     if (sticks) {
       one.stiffness_t = record.kt;
-      one.damping_t = record.damping_t;
+      one.damping_t = dashpot_share() * record.damping_t;
     }
     add_rolling(record, one);
     shortest_ = std::min(
-        shortest_, rodpack::half_period(one.stiffness_n, one.damping_n, record.effective_mass));
+        shortest_, rodpack::half_period(one.stiffness_n, record.damping_n, record.effective_mass));
     result.push_back(one);
   }
   return result;

@@ -43,7 +43,7 @@ class FixCheckTimestepMultisphere : public Fix {
   };
 
   void check();
-  int running_order() const;
+  double dashpot_share() const;
   double property(const char* name, int i, int j) const;
   double scalar_property(const char* name) const;
   int groups_of(const char* of_style) const;
@@ -59,8 +59,9 @@ class FixCheckTimestepMultisphere : public Fix {
   ContactRecorder recorder_;
   double warn_;  // fraction
   bool error_;
-  double warned_;  // fraction of the last warning of this run
-  int order_;      // of the integrator that runs, 0: velocity Verlet
+  double warned_;            // fraction of the last warning of this run
+  int order_;                // of the integrator that runs, 0: velocity Verlet
+  double relaxation_ = 0.0;  // of all dashpots, s; 0: none
 
   bool single_contact_;  // is known by its properties, whatever the contacts that are there
   double shortest_;      // half a period of the contacts of this rank, s

@@ -36,7 +36,7 @@ Container& property(Multisphere& bodies, const char* name) {
 
 FixMultisphereAB::FixMultisphereAB(LAMMPS* lmp, int narg, char** arg)
     : FixMultisphere(lmp, 3, arg),  // whose own keywords parse() reads, with clear errors
-      options_(lmp),
+      options_(lmp, true),
       mass_(property<ScalarContainer<double> >(multisphere_, "masstotal")),
       xcm_(property<Vectors>(multisphere_, "xcm")),
       vcm_(property<Vectors>(multisphere_, "vcm")),
@@ -85,7 +85,7 @@ void FixMultisphereAB::parse(int narg, char** arg) {
       arguments.reject_keyword(
           keyword, "order, planar, events, mass_scaling, allow_group_and_set or allow_heatsource");
   }
-  // First order has nothing to lose at an event.
+  // Leapfrog shows no velocities of the time of its forces, first order has nothing to lose.
   if (events && options_.order() > 1) events_.reset(new ContactEvents(lmp, this));
   if (mass_scaling_ > 0.0) counts_.reset(new ContactCounts(lmp));
 }
@@ -139,7 +139,7 @@ void FixMultisphereAB::update_history(const std::vector<Record*>& past, int body
     for (int k = 0; k < order_ - 1; ++k) memcpy(&history[k], (*past[k])(body), sizeof(Rates));
   }
   for (int k = 0; k < order_ - 1; ++k) memcpy((*past[k])(body), &history[k + 1], sizeof(Rates));
-  evaluations_->set(body, std::min(known, order_) + 1);
+  evaluations_->set(body, std::min(known, records()) + 1);
 }
 
 void FixMultisphereAB::initial_integrate(int) {
@@ -197,7 +197,7 @@ void FixMultisphereAB::advance_planar(int body) {
   PlanarMotion motion = {{x[0], x[1]}, {v[0], v[1]}, omega_(body)[2], {q[0], q[1], q[2], q[3]}};
 
   PlanarRates history[rodpack::max_multistep_order];
-  PlanarRates& now = history[order_ - 1];
+  PlanarRates& now = history[records() - 1];
   for (int d = 0; d < 2; ++d) {
     now.velocity[d] = v[d];
     now.acceleration[d] = force_on[d] ? share * (force[d] / mass) : 0.0;
@@ -205,12 +205,17 @@ void FixMultisphereAB::advance_planar(int body) {
   now.angular_velocity = motion.angular_velocity;
   now.angular_acceleration = tflag_(body)[2] ? share * (torque_(body)[2] / moment) : 0.0;
 
-  const auto fill = [&](PlanarRates* h) { rodpack::fill_kinematic_history(h, order_, update->dt); };
+  const auto fill = [&](PlanarRates* h) {
+    rodpack::fill_kinematic_history(h, records(), update->dt);
+  };
   if (options_.always_planar())
     update_history(past_planar_, body, history, fill);
   else
     update_history(past_spatial_, body, history, fill);
-  rodpack::advance(motion, history, order_, evaluations_->get(body), update->dt);
+  if (order_ == 0)
+    rodpack::leap(motion, now, evaluations_->get(body), update->dt);
+  else
+    rodpack::advance(motion, history, order_, evaluations_->get(body), update->dt);
 
   for (int d = 0; d < 2; ++d) {
     x[d] = motion.position[d];
@@ -245,7 +250,7 @@ void FixMultisphereAB::advance_spatial(int body) {
       {x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {l[0], l[1], l[2]}, {q[0], q[1], q[2], q[3]}};
 
   SpatialRates history[rodpack::max_multistep_order];
-  SpatialRates& now = history[order_ - 1];
+  SpatialRates& now = history[records() - 1];
   for (int d = 0; d < 3; ++d) {
     now.velocity[d] = v[d];
     now.acceleration[d] = force_on[d] ? share * (force[d] / mass) : 0.0;
@@ -255,9 +260,12 @@ void FixMultisphereAB::advance_spatial(int body) {
                            now.quaternion_rate);
 
   update_history(past_spatial_, body, history, [&](SpatialRates* h) {
-    rodpack::fill_kinematic_history(h, order_, update->dt, motion, inertia);
+    rodpack::fill_kinematic_history(h, records(), update->dt, motion, inertia);
   });
-  rodpack::advance(motion, history, order_, evaluations_->get(body), update->dt);
+  if (order_ == 0)
+    rodpack::leap(motion, now, inertia, evaluations_->get(body), update->dt);
+  else
+    rodpack::advance(motion, history, order_, evaluations_->get(body), update->dt);
 
   double omega[3];
   rodpack::angular_velocity(motion.quaternion, motion.angular_momentum, inertia, omega);

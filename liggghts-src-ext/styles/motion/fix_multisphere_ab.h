@@ -10,6 +10,7 @@ FixStyle(multisphere/ab,FixMultisphereAB)
 #ifndef RODPACK_FIX_MULTISPHERE_AB_H
 #define RODPACK_FIX_MULTISPHERE_AB_H
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -25,7 +26,8 @@ struct PlanarRates;
 
 namespace LAMMPS_NS {
 
-/// Rigid bodies advanced by Adams-Bashforth steps of order 1 to 4 in place of velocity Verlet.
+/// Rigid bodies advanced by Adams-Bashforth steps of order 1 to 4, or of order 0 by leapfrog, in
+/// place of velocity Verlet.
 ///
 /// The whole step, velocities and positions, is made in initial_integrate from the rates now and at
 /// the steps before; forces then see positions and velocities of the same time. The rates of the
@@ -95,6 +97,7 @@ class FixMultisphereAB : public FixMultisphere {
   void update_history(const std::vector<Record*>& past, int body, Rates* history,
                       Birth fill_before_birth);
 
+  int records() const { return std::max(1, order_); }  // of rates that a step needs
   int layout() const;
   static int history_size(int layout);
   void restart_history_after_change();
@@ -128,9 +131,9 @@ class FixMultisphereAB : public FixMultisphere {
   void publish(const std::vector<rodpack::SpatialJump>& jumps);
 
   MultistepOptions options_;
-  int order_;
+  int order_;  // 0: leapfrog
   bool planar_;
-  std::unique_ptr<ContactEvents> events_;              // none with `events no` or order 1
+  std::unique_ptr<ContactEvents> events_;              // none with `events no` or below order 2
   double mass_scaling_ = 0.0;                          // S of mass_scaling.h; 0: none
   std::unique_ptr<ContactCounts> counts_;              // with mass scaling alone
   std::vector<int> changed_bodies_;                    // whose contacts had events in this step,
@@ -141,7 +144,7 @@ class FixMultisphereAB : public FixMultisphere {
 
   // The history of each body. The newest rates are not kept: they follow from the state.
   ScalarContainer<int>* layout_;       // what the records below hold; negative
-  ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at order + 1
+  ScalarContainer<int>* evaluations_;  // force evaluations since birth, capped at records() + 1
   ScalarContainer<double>* timestep_;  // the rates are this far apart, s
   StoredMissedMotion* missed_motion_;
   std::vector<class FixMoveMultisphere*> movers_;  // NULL for one that has ended

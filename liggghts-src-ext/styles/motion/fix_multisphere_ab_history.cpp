@@ -20,9 +20,9 @@ int FixMultisphereAB::layout() const {
 /// Values per body that a history of this layout takes in a restart file; 0 if it is none of ours.
 int FixMultisphereAB::history_size(int layout) {
   const int order = -layout / 100 - 20;
-  if (order < 1 || order > rodpack::max_multistep_order) return 0;
+  if (layout >= 0 || order < 0 || order > rodpack::max_multistep_order) return 0;
   const bool short_records = -layout / 10 % 10 == 1;
-  return 3 + 12 + (order - 1) * (short_records ? 6 : 13);
+  return 3 + 12 + std::max(0, order - 1) * (short_records ? 6 : 13);
 }
 
 void FixMultisphereAB::add_history() {

@@ -15,7 +15,8 @@ static_assert(rodpack::max_multistep_order == 4, "range of orders in messages an
 
 bool MultistepOptions::read(const std::string& keyword, StyleArguments& arguments) {
   if (keyword == "order") {
-    order_ = arguments.integer(keyword, "a whole number in [1, 4]");
+    order_ = arguments.integer(keyword, leapfrog_ ? "a whole number in [0, 4], 0 for leapfrog"
+                                                  : "a whole number in [1, 4]");
   } else if (keyword == "planar") {
     planar_ = arguments.peek();
     arguments.choice(keyword, {"auto", "yes", "no"});

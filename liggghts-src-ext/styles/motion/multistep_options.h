@@ -10,10 +10,12 @@ namespace LAMMPS_NS {
 
 class StyleArguments;
 
-/// Keywords that the Adams-Bashforth fixes share: `order 1..4` and `planar auto|yes|no`.
+/// Keywords that the Adams-Bashforth fixes share: `order 1..4`, and 0 where the fix knows leapfrog,
+/// and `planar auto|yes|no`.
 class MultistepOptions : protected Pointers {
  public:
-  MultistepOptions(class LAMMPS* lmp) : Pointers(lmp) {}
+  explicit MultistepOptions(class LAMMPS* lmp, bool leapfrog = false)
+      : Pointers(lmp), leapfrog_(leapfrog) {}
 
   /// Reads the value of `keyword`; false if it is none of these. Ends the run if the value is
   /// wrong.
@@ -27,6 +29,7 @@ class MultistepOptions : protected Pointers {
   bool always_planar() const { return planar_ == "yes"; }
 
  private:
+  bool leapfrog_;
   int order_ = 3;
   std::string planar_ = "auto";
 };

@@ -20,6 +20,7 @@
 #include "pair_gran.h"
 #include "planar_stop.h"
 #include "rodpack/contact/planar_history.h"
+#include "running_dashpots.h"
 #include "update.h"
 #include "wall_shape.h"
 
@@ -94,6 +95,7 @@ void PlanarContactTransfer::connect() {
       values_ != rodpack::stored_history_values(slots_) +
                      (has_total_cap_ ? rodpack::stored_cap_values : 0))
     refuse(lmp, "pair_style gran keeps other values in the history of contacts");
+  relaxation_ = LAMMPS_NS::dashpot_relaxation(lmp);
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));
@@ -184,6 +186,14 @@ struct PlanarContactTransfer::Record {
   }
 };
 
+PlanarContactTransfer::Record PlanarContactTransfer::record_of(const double* stored) const {
+  return Record(stored, slots_, has_total_cap_);
+}
+
+void PlanarContactTransfer::store(const PlanarContactRecord& contact, double* stored) const {
+  Record(contact, slots_, has_total_cap_, update->ntimestep).store(stored);
+}
+
 std::vector<PlanarContactRecord> PlanarContactTransfer::read(const PlanarOwners& owners) const {
   const std::int64_t now = update->ntimestep;
   std::vector<std::vector<PlanarContactRecord> > contacts(comm->nprocs);
@@ -200,7 +210,7 @@ std::vector<PlanarContactRecord> PlanarContactTransfer::read(const PlanarOwners&
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       // The rank of j lists this contact too; one of both has to read it.
       if (j >= atom->nlocal && atom->tag[j] < atom->tag[i]) continue;
-      const Record record(histories + values_ * jj, slots_, has_total_cap_);
+      const Record record = record_of(histories + values_ * jj);
       if (!record.lives(now)) continue;
       PlanarContactRecord contact = PlanarContactRecord();
       contact.atom = atom->tag[i];
@@ -214,7 +224,7 @@ std::vector<PlanarContactRecord> PlanarContactTransfer::read(const PlanarOwners&
   const std::vector<rodpack::PlanarWall> planes = walls();
   for (size_t w = 0; w < walls_.size(); ++w)
     for (int i = 0; i < atom->nlocal; ++i) {
-      const Record record(WallAccess::histories(walls_[w])[i], slots_, has_total_cap_);
+      const Record record = record_of(WallAccess::histories(walls_[w])[i]);
       if (!record.lives(now)) continue;
       PlanarContactRecord contact = PlanarContactRecord();
       contact.atom = atom->tag[i];
@@ -236,20 +246,17 @@ int PlanarContactTransfer::local_atom(int tag) const {
 }
 
 void PlanarContactTransfer::write_to_walls(const std::vector<PlanarContactRecord>& records) {
-  const std::int64_t now = update->ntimestep;
   for (FixWallGran* wall : walls_)
     for (int i = 0; i < atom->nlocal; ++i)
       std::fill_n(WallAccess::histories(wall)[i], values_, 0.0);
   for (const PlanarContactRecord& contact : records)
     if (contact.partner < 0)
-      Record(contact, slots_, has_total_cap_, now)
-          .store(WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
+      store(contact, WallAccess::histories(walls_[-1 - contact.partner])[local_atom(contact.atom)]);
 }
 
 void PlanarContactTransfer::write_to_lists(const std::vector<PlanarContactRecord>& records) {
   using LIGGGHTS::ContactModels::CONTACT_NORMAL_MODEL;
   using LIGGGHTS::ContactModels::CONTACT_TANGENTIAL_MODEL;
-  const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   NeighList* const list = pair_->list;
   for (int ii = 0; ii < list->inum; ++ii) {
@@ -274,14 +281,12 @@ void PlanarContactTransfer::write_to_lists(const std::vector<PlanarContactRecord
     missing += (is_there ? -1 : 1) * (j >= 0 && j < atom->nlocal ? 1 : is_there ? 0 : 2);
     if (!is_there) continue;
     list->listgranhistory->firstneigh[i][jj] = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL;
-    Record(contact, slots_, has_total_cap_, now)
-        .store(list->listgranhistory->firstdouble[i] + values_ * jj);
+    store(contact, list->listgranhistory->firstdouble[i] + values_ * jj);
   }
   if (missing != 0) refuse_from_one_rank(lmp, "a contact is not in the neighbour list");
 }
 
 void PlanarContactTransfer::write_to_atoms(const std::vector<PlanarContactRecord>& records) {
-  const std::int64_t now = update->ntimestep;
   write_to_walls(records);
   FixContactHistory* const histories = pair_->list->fix_history;
   std::vector<int> counts(atom->nlocal, 0);
@@ -300,7 +305,7 @@ void PlanarContactTransfer::write_to_atoms(const std::vector<PlanarContactRecord
     if (contact.partner < 0) continue;
     const int i = local_atom(contact.atom), entry = HistoryAccess::count(histories, i)++;
     HistoryAccess::partners(histories, i)[entry] = contact.partner;
-    Record(contact, slots_, has_total_cap_, now).store(histories->contacthistory(i, entry));
+    store(contact, histories->contacthistory(i, entry));
   }
 }
 

@@ -30,6 +30,8 @@ class PlanarContactTransfer : protected Pointers {
   int slots() const { return slots_; }
   /// Whether friction is capped at mu times the whole normal force, by totalForceCap.
   bool has_total_cap() const { return has_total_cap_; }
+  /// The relaxation time of all dashpots, s; 0: none.
+  double dashpot_relaxation() const { return relaxation_; }
   /// Contact constants of each pair of atom types (row by row), and the walls.
   std::vector<rodpack::PlanarLaw> laws() const;
   std::vector<rodpack::PlanarWall> walls() const;
@@ -46,6 +48,9 @@ class PlanarContactTransfer : protected Pointers {
  private:
   struct Record;
   int local_atom(int tag) const;
+  /// What is stored of a contact.
+  Record record_of(const double* stored) const;
+  void store(const PlanarContactRecord& contact, double* stored) const;
   void write_to_walls(const std::vector<PlanarContactRecord>& records);
 
   class PairGran* pair_ = NULL;
@@ -53,6 +58,7 @@ class PlanarContactTransfer : protected Pointers {
   int values_ = 0;  // in a contact's history
   int slots_ = 0;   // tangential velocities among them
   bool has_total_cap_ = false;
+  double relaxation_ = 0.0;
 };
 
 }  // namespace LAMMPS_NS

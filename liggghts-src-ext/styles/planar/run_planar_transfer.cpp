@@ -94,6 +94,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   settings.slots = contacts_.slots();
   settings.events = bodies_->follows_events();
   settings.total_force_cap = contacts_.has_total_cap();
+  settings.dashpot_relaxation = contacts_.dashpot_relaxation();
   settings.mass_scaling = bodies_->mass_scaling();
   settings.types = atom->ntypes;
   settings.laws = contacts_.laws();

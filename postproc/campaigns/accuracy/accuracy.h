@@ -16,7 +16,7 @@ namespace rodpack {
 
 /// A way to move the bodies, as the decks of inputs/accuracy take it.
 struct AccuracyMethod {
-  std::string name;        // builtin, ab1 ... ab4, with events ab2e ... ab4e
+  std::string name;        // builtin, leapfrog, ab1 ... ab4, with events ab2e ... ab4e
   int order;               // of the formula, for smooth forces
   std::string integrator;  // style and arguments of the fix, without `planar`
 };

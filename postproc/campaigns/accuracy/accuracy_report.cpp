@@ -148,9 +148,9 @@ std::string cheapest_table(const RowList& rows, const AccuracySettings& settings
 
 const std::string& accuracy_colour(const std::string& method) {
   static const std::map<std::string, std::string> colours = {
-      {"builtin", colour::grey},   {"ab1", "#E69F00"}, {"ab2", "#56B4E9"},
-      {"ab3", colour::blue},       {"ab4", "#009E73"}, {"ab2e", "#F0E442"},
-      {"ab3e", colour::vermilion}, {"ab4e", "#CC79A7"}};
+      {"builtin", colour::grey}, {"leapfrog", "#000000"},     {"ab1", "#E69F00"},
+      {"ab2", "#56B4E9"},        {"ab3", colour::blue},       {"ab4", "#009E73"},
+      {"ab2e", "#F0E442"},       {"ab3e", colour::vermilion}, {"ab4e", "#CC79A7"}};
   return colours.at(method);
 }
 

@@ -302,8 +302,8 @@ AccuracyScene accuracy_scene(const std::string& name) {
 }
 
 const std::vector<std::string>& accuracy_method_names() {
-  static const std::vector<std::string> names = {"builtin", "ab1",  "ab2",  "ab3",
-                                                 "ab4",     "ab2e", "ab3e", "ab4e"};
+  static const std::vector<std::string> names = {"builtin", "leapfrog", "ab1",  "ab2", "ab3",
+                                                 "ab4",     "ab2e",     "ab3e", "ab4e"};
   return names;
 }
 
@@ -312,6 +312,7 @@ AccuracyMethod accuracy_method(const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw DataError("method '" + name + "': expected one of " + list(names));
   if (name == "builtin") return {name, 2, "multisphere"};
+  if (name == "leapfrog") return {name, 2, "multisphere/ab order 0"};
   const std::string order = name.substr(2, 1);
   return {name, std::stoi(order),
           "multisphere/ab order " + order + " events " + (name.back() == 'e' ? "yes" : "no")};

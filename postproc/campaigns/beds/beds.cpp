@@ -9,6 +9,7 @@
 #include "reading/data_error.h"
 #include "reading/number_text.h"
 #include "rodpack/geometry/mass_properties.h"
+#include "rodpack/contact/dashpot_relaxation.h"
 #include "rodpack/motion/mass_scaling.h"
 
 namespace rodpack {
@@ -32,8 +33,9 @@ const struct {
                 {"step_over_limit", &BedRow::step_over_limit}};
 
 std::string header() {
-  std::vector<std::string> names = {"method", "timestep_s",   "overlap", "normal_stiffness_N_m",
-                                    "planar", "mass_scaling", "seed",    "rods"};
+  std::vector<std::string> names = {
+      "method",           "timestep_s", "overlap", "normal_stiffness_N_m", "planar", "mass_scaling",
+      "relaxation_steps", "seed",       "rods"};
   for (const auto& measure : measures) names.emplace_back(measure.name);
   names.insert(names.end(), {"steps", "processor_s_per_step"});
   return csv_line(names);
@@ -52,7 +54,8 @@ bool close(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(b);
 
 bool BedModel::operator==(const BedModel& other) const {
   return method == other.method && planar == other.planar && engine == other.engine &&
-         close(mass_scaling, other.mass_scaling) && close(step, other.step) &&
+         close(mass_scaling, other.mass_scaling) &&
+         close(relaxation_steps, other.relaxation_steps) && close(step, other.step) &&
          close(overlap, other.overlap) && close(stiffness, other.stiffness);
 }
 
@@ -94,20 +97,25 @@ BedComparison frontier() {
   return frontier;
 }
 
-/// Steps that only mass scaling allows, beside the longest one without and the paper's method.
+/// Steps that only mass scaling or dashpots that relax allow, beside the longest ones without and
+/// the paper's method.
 BedComparison economy() {
-  BedComparison economy{"economy", "What does mass scaling save?", {}};
-  const auto add = [&](const char* method, double factor, double mass_scaling) {
+  BedComparison economy{"economy", "What do mass scaling and dashpots that relax save?", {}};
+  const auto add = [&](const char* method, double factor, double mass_scaling,
+                       double relaxation_steps = 0) {
     BedModel model;
     model.method = method;
     model.step = factor * paper_step;
     model.engine = true;
     model.mass_scaling = mass_scaling;
+    model.relaxation_steps = relaxation_steps;
     economy.models.push_back(model);
   };
   for (const double factor : {8, 6}) add("ab2", factor, 3);
   for (const double factor : {8, 6, 5}) add("ab2", factor, 4);
   for (const double factor : {6, 5}) add("ab2", factor, 5);
+  for (const double factor : {6, 5, 4}) add("leapfrog", factor, 0, 1);
+  for (const double factor : {4, 3}) add("leapfrog", factor, 0);
   add("ab2", 3, 0);
   economy.models.push_back(paper_model(true));
   return economy;
@@ -118,11 +126,13 @@ BedComparison presets(const BedScene& scene) {
   const ChainShape shape = {scene.aspect_ratio, rod_diameter, scene.overlap(), 0, rod_diameter};
   const double mass = mass_properties(shape, density, MassRule::reference, false).mass;
   BedModel economy = paper_model(true, scene);
-  economy.method = "ab2";
-  economy.mass_scaling = 5.4;
+  economy.method = "leapfrog";
+  economy.mass_scaling = 6.5;
+  economy.relaxation_steps = 1;
   // As `timestep auto` takes it.
-  economy.step = 0.9 * mass_scaled_timestep_limit(2, economy.mass_scaling,
-                                                  {0.5 * economy.stiffness, damping_ratio, mass});
+  const PackingLaw law = {0.5 * economy.stiffness, damping_ratio, mass,
+                          share_in_fastest_motion(economy.relaxation_steps, 1)};
+  economy.step = 0.9 * mass_scaled_timestep_limit(0, economy.mass_scaling, law);
   BedModel finest = paper_model(true, scene);
   finest.step = 0.5 * paper_step;
   return {"presets",
@@ -223,6 +233,7 @@ std::string bed_row_text(const BedRow& row) {
                                      number_text(m.stiffness),
                                      motion_text(m),
                                      number_text(m.mass_scaling),
+                                     number_text(m.relaxation_steps),
                                      std::to_string(row.seed),
                                      std::to_string(row.rods)};
   for (const auto& measure : measures) fields.push_back(number_text(row.*measure.value));
@@ -237,6 +248,7 @@ std::vector<BedRow> read_bed_rows(const std::string& file) {
   const auto &step = table.column("timestep_s"), &overlap = table.column("overlap"),
              &stiffness = table.column("normal_stiffness_N_m"),
              &mass_scaling = table.column("mass_scaling"),
+             &relaxation_steps = table.column("relaxation_steps"),
              &seconds_per_step = table.column("processor_s_per_step");
   const auto seed = table.whole_numbers("seed"), rods = table.whole_numbers("rods"),
              steps_taken = table.whole_numbers("steps");
@@ -244,9 +256,10 @@ std::vector<BedRow> read_bed_rows(const std::string& file) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (motion[i] != "yes" && motion[i] != "no" && motion[i] != "engine")
       table.refuse(i, "planar", "yes, no or engine");
-    rows[i].model = {method[i],      step[i],           overlap[i],
-                     stiffness[i],   motion[i] != "no", motion[i] == "engine",
-                     mass_scaling[i]};
+    rows[i].model = {method[i],         step[i],
+                     overlap[i],        stiffness[i],
+                     motion[i] != "no", motion[i] == "engine",
+                     mass_scaling[i],   relaxation_steps[i]};
     rows[i].seed = static_cast<int>(seed[i]);
     rows[i].rods = static_cast<int>(rods[i]);
     rows[i].steps = steps_taken[i];

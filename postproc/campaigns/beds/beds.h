@@ -21,6 +21,7 @@ struct BedModel {
   bool planar = true;           // motion in the plane only; builtin: false, it has no such thing
   bool engine = false;          // by run_style verlet/planar
   double mass_scaling = 0;      // S of rodpack/motion/mass_scaling.h; 0: none
+  double relaxation_steps = 0;  // dashpots relax in, rodpack/contact/dashpot_relaxation.h; 0: none
 
   bool operator==(const BedModel& other) const;
 };

@@ -149,18 +149,22 @@ std::vector<Panel> quantity_panels() {
           {"neighbours per rod", {}}};
 }
 
-/// Results against cost: a curve for each method, along its steps.
-/// Method of a model and, if it has mass scaling, S.
+/// Method of a model and, if it has mass scaling or dashpots that relax, S or their time.
 std::string look_of(const BedModel& model) {
+  if (model.relaxation_steps > 0)
+    return model.method + ", {/:Italic τ} = " + number_text(model.relaxation_steps) +
+           " Δ{/:Italic t}";
   if (!(model.mass_scaling > 0)) return model.method;
   return model.method + ", {/:Italic S} = " + number_text(model.mass_scaling);
 }
 
 std::string colour_of(const BedModel& model) {
+  if (model.relaxation_steps > 0) return "#009E73";
   if (!(model.mass_scaling > 0)) return accuracy_colour(model.method);
   return model.mass_scaling < 4 ? "#CC79A7" : model.mass_scaling < 5 ? "#E69F00" : "#56B4E9";
 }
 
+/// Results against cost: a curve for each method, along its steps.
 void draw_frontier(const std::vector<BedRow>& rows, const BedComparison& comparison,
                    const BedScene& scene, const std::string& folder) {
   const int rods = scene.rods();

@@ -37,7 +37,11 @@ std::string microseconds(double step) { return number_text(1e6 * step, 3); }
 std::string integrator(const BedModel& model) {
   const std::string scaling =
       model.mass_scaling > 0 ? ", mass scaling " + number_text(model.mass_scaling) : "";
-  return model.method + scaling +
+  const std::string relaxation =
+      model.relaxation_steps > 0
+          ? ", dashpots relax in " + number_text(model.relaxation_steps) + " steps"
+          : "";
+  return model.method + scaling + relaxation +
          (model.method == "builtin" ? ""
           : model.engine            ? " engine"
           : model.planar            ? " planar"

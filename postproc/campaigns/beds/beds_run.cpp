@@ -125,6 +125,7 @@ BedRow run_bed(const AccuracySettings& settings, const std::string& folder, cons
                      {"per_line", std::to_string(scene.per_line)},
                      {"style", model.engine ? "verlet/planar" : "verlet"},
                      {"overlap", number_text(model.overlap, 17)},
+                     {"relaxation", number_text(model.relaxation_steps * model.step, 17)},
                      {"stiffness", number_text(model.stiffness, 17)},
                      {"seed", std::to_string(seed)}});
   row.seconds_per_step = (processor_time_of_runs() - before) / static_cast<double>(row.steps);

@@ -102,7 +102,8 @@ TEST(StableTimestep, IsTheFractionOfTheClosedForm) {
   const auto run = run_liggghts(R"(
 stable_timestep step order 2 mass_scaling 3 stiffness 1000 damping_ratio 0.2 aspect_ratio 5 diameter 3e-3 density 2500 steps_per_collision 2
 stable_timestep few order 2 mass_scaling 3 stiffness 1000 damping_ratio 0.2 aspect_ratio 5 diameter 3e-3 density 2500 steps_per_collision 100
-print "step=${step} few=${few}"
+stable_timestep relaxed order 0 mass_scaling 6.5 relaxation_steps 1 stiffness 1000 damping_ratio 0.2 aspect_ratio 5 diameter 3e-3 density 2500
+print "step=${step} few=${few} relaxed=${relaxed}"
 )");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const double of_pair = std::sqrt(2 * kn / mass);
@@ -111,8 +112,12 @@ print "step=${step} few=${few}"
   const auto value = [&](const std::string& name) {
     return std::stod(run.output.substr(run.output.rfind(name + "=") + name.size() + 1));
   };
+  // With y = S omega_0 dt: y^2 + 4 S eta y tanh(1/2) = 4.
+  const double damped = 2 * 6.5 * 0.2 * std::tanh(0.5);
+  const double relaxed = (std::sqrt(damped * damped + 4) - damped) / (6.5 * of_pair);
   for (const auto& [name, expected] :
-       {std::make_pair("step", 0.9 * limit), std::make_pair("few", collision / 100)}) {
+       {std::make_pair("step", 0.9 * limit), std::make_pair("few", collision / 100),
+        std::make_pair("relaxed", 0.9 * relaxed)}) {
     EXPECT_LE(value(name), expected * (1 + 1e-12)) << name;
     EXPECT_GT(value(name), 0.99 * expected) << name;
   }
@@ -123,8 +128,12 @@ TEST(StableTimestep, RefusesWhatItCannotUse) {
     return run_liggghts("\nstable_timestep t " + words + "\n").output;
   };
   const std::string rest = " stiffness 1000 aspect_ratio 5 diameter 3e-3 density 2500";
-  EXPECT_THAT(output("order 5 mass_scaling 3 damping_ratio 0.2" + rest),
-              HasSubstr("stable_timestep: order is '5', expected a whole number in [1, 4]"));
+  EXPECT_THAT(
+      output("order 5 mass_scaling 3 damping_ratio 0.2" + rest),
+      HasSubstr(
+          "stable_timestep: order is '5', expected a whole number in [0, 4], 0 for leapfrog"));
+  EXPECT_THAT(output("order 2 mass_scaling 3 damping_ratio 0.2 relaxation_steps 1" + rest),
+              HasSubstr("relaxation_steps is '1' with order 2, expected 0, or order 0"));
   EXPECT_THAT(output("order 2 mass_scaling 0 damping_ratio 0.2" + rest),
               HasSubstr("mass_scaling is '0', expected a ratio of frequencies in [1, 1000]"));
   EXPECT_THAT(output("order 2 mass_scaling 3 damping_ratio 0" + rest),

@@ -94,7 +94,8 @@ TEST(MultisphereAb, MomentumOfTwoCollidingBodiesIsConservedToRounding) {
 
 // Without friction: the built-in tangential law evaluates a sliding contact differently in set-up.
 TEST(MultisphereAb, RestartRepeatsTheUninterruptedRunToTheLastBit) {
-  for (Vars vars : {Vars{}, in_plane}) {
+  const Vars leapfrog = {{"integrator", "multisphere/ab order 0"}};
+  for (Vars vars : {Vars{}, in_plane, leapfrog}) {
     vars["friction"] = "0";
     vars["save"] = "460";  // in the middle of the collision
     const auto whole = run_liggghts(deck, vars);
@@ -113,7 +114,8 @@ TEST(MultisphereAb, SecondRunCommandGoesOnAsIfThereWereNone) {
 }
 
 TEST(MultisphereAb, RanksAgreeWithOneRankToRounding) {
-  for (const Vars& vars : {Vars{}, in_plane}) {
+  const Vars leapfrog = {{"integrator", "multisphere/ab order 0"}};
+  for (const Vars& vars : {Vars{}, in_plane, leapfrog}) {
     const Table one = state_of(run_liggghts(deck, vars, 1));
     expect_same(state_of(run_liggghts(deck, vars, 2)), one, 1e-9);
   }
@@ -140,7 +142,8 @@ TEST(MultisphereAb, AnotherTimestepOrOrderInARestartStartsAnew) {
   EXPECT_THAT(same.output, testing::Not(testing::HasSubstr("starts anew")));
   for (const Vars& change :
        {Vars{{"timestep", "5e-6"}}, Vars{{"integrator", "multisphere/ab order 4"}},
-        Vars{{"integrator", "multisphere/ab order 2"}}}) {
+        Vars{{"integrator", "multisphere/ab order 2"}},
+        Vars{{"integrator", "multisphere/ab order 0"}}}) {
     Vars vars = change;
     vars["from"] = "300";
     vars["steps"] = "401";
@@ -153,6 +156,7 @@ TEST(MultisphereAb, AnotherTimestepOrOrderInARestartStartsAnew) {
 
 TEST(MultisphereAb, WrongInputIsOneLineThatNamesIt) {
   const std::map<std::string, std::string> cases = {
+      {"multisphere/ab order 5", "order is '5', expected a whole number in [0, 4], 0 for leapfrog"},
       {"multisphere/ab CAddRhoFluid 1 2", "unknown keyword 'CAddRhoFluid'"},
       {"multisphere/ab planar yes", "body 1: z is not one of its principal axes"},
       {"multisphere\nfix again all multisphere/ab", "only one fix multisphere"}};

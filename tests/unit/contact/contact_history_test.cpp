@@ -27,6 +27,22 @@ TEST(ContactHistory, NormalOneIsStoredInFourDoubles) {
   EXPECT_EQ(back.next_step, history.next_step);
 }
 
+TEST(ContactHistory, WithARelaxationTimeTheVelocityTakesThePlaceOfTheRate) {
+  NormalHistory history;
+  history.viscoelastic = 0.5;
+  history.touch_rate = 3e4;
+  history.relaxes = true;
+  history.felt_velocity = -0.125;
+  history.next_step = 7;
+  std::vector<double> stored(stored_normal_values, NAN);
+  pack(history, stored.data());
+  EXPECT_THAT(stored, testing::ElementsAre(0.5, -0.125, 2.0, 7.0));
+  const NormalHistory back = unpack_normal(stored.data());
+  EXPECT_TRUE(back.relaxes);
+  EXPECT_EQ(back.felt_velocity, history.felt_velocity);
+  EXPECT_EQ(back.touch_rate, 0.0);
+}
+
 TEST(ContactHistory, ThatOfTheTotalCapIsStoredInSevenDoubles) {
   CapHistory history;
   history.normal.viscoelastic = -0.25;

@@ -126,7 +126,7 @@ TEST(MassScaling, FewContactsAreNotFelt) {
 TEST(MassScaling, TheLimitIsThatOfTheStiffestMotion) {
   const PackingLaw law = {kn, 0.2, mass};
   const double of_pair = std::sqrt(2 * kn / mass);
-  for (const int order : {1, 2, 3, 4})
+  for (const int order : {0, 1, 2, 3, 4})
     for (const double scaling : {1.0, 3.0, 5.0}) {
       const double limit = mass_scaled_timestep_limit(order, scaling, law);
       EXPECT_NEAR(amplification(order, 0.2 * scaling, scaling * of_pair * limit), 1, 1e-9);
@@ -135,10 +135,13 @@ TEST(MassScaling, TheLimitIsThatOfTheStiffestMotion) {
   // theory.md, Stability in a bed
   EXPECT_NEAR(of_pair * mass_scaled_timestep_limit(2, 3, law), 0.31, 0.005);
   EXPECT_EQ(mass_scaled_timestep_limit(2, 3, {kn, 0, mass}), 0);
+  EXPECT_EQ(mass_scaled_timestep_limit(0, 3, {kn, 0.2, mass, 0.5}),
+            mass_scaled_timestep_limit(0, 3, {kn, 0.1, mass}));
 }
 
 TEST(MassScaling, ValuesOutOfRangeAreNamed) {
-  EXPECT_THROW(mass_scaled_timestep_limit(0, 3, {kn, 0.2, mass}), std::invalid_argument);
+  EXPECT_THROW(mass_scaled_timestep_limit(-1, 3, {kn, 0.2, mass}), std::invalid_argument);
+  EXPECT_THROW(mass_scaled_timestep_limit(0, 3, {kn, 0.2, mass, 2}), std::invalid_argument);
   EXPECT_THROW(mass_scaled_timestep_limit(2, 0.5, {kn, 0.2, mass}), std::invalid_argument);
   EXPECT_THROW(mass_scaled_timestep_limit(2, 3, {0, 0.2, mass}), std::invalid_argument);
   EXPECT_THROW(mass_scaled_timestep_limit(2, 3, {kn, -1, mass}), std::invalid_argument);

@@ -17,15 +17,20 @@ using test::observed_order;
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;
 
-// Runs `steps` steps from birth; force(t, motion) gives {ax, ay, angular acceleration}.
+// Runs `steps` steps from birth, order 0 by leapfrog; force(t, motion) gives {ax, ay, angular
+// acceleration}.
 template <class Force>
 PlanarMotion run_planar(PlanarMotion motion, int order, double dt, int steps, Force force) {
-  std::vector<PlanarRates> history(order);
+  std::vector<PlanarRates> history(std::max(1, order));
   for (int n = 0; n < steps; ++n) {
     const Vector a = force(n * dt, motion);
     std::rotate(history.begin(), history.begin() + 1, history.end());
     history.back() = {
         {motion.velocity[0], motion.velocity[1]}, motion.angular_velocity, {a[0], a[1]}, a[2]};
+    if (order == 0) {
+      leap(motion, history.back(), n + 1, dt);
+      continue;
+    }
     if (n == 0) fill_kinematic_history(history.data(), order, dt);
     advance(motion, history.data(), order, n + 1, dt);
   }
@@ -41,7 +46,7 @@ const double inertia[3] = {1.0, 1.7, 2.3};  // kg m^2, asymmetric
 // The same in three dimensions, unit mass; force(t) gives {acceleration, torque}.
 template <class Force>
 SpatialMotion run_spatial(SpatialMotion motion, int order, double dt, int steps, Force force) {
-  std::vector<SpatialRates> history(order);
+  std::vector<SpatialRates> history(std::max(1, order));
   for (int n = 0; n < steps; ++n) {
     std::rotate(history.begin(), history.begin() + 1, history.end());
     SpatialRates& newest = history.back();
@@ -52,6 +57,10 @@ SpatialMotion run_spatial(SpatialMotion motion, int order, double dt, int steps,
       newest.torque[d] = f[1][d];
     }
     quaternion_rate(motion.quaternion, motion.angular_momentum, inertia, newest.quaternion_rate);
+    if (order == 0) {
+      leap(motion, newest, inertia, n + 1, dt);
+      continue;
+    }
     if (n == 0) fill_kinematic_history(history.data(), order, dt, motion, inertia);
     advance(motion, history.data(), order, n + 1, dt);
   }
@@ -188,6 +197,48 @@ TEST(RigidMotion, FreeFallInThreeDimensionsIsExactFromOrderTwo) {
     }
 }
 
+// Velocities are those of half a step before the positions.
+TEST(RigidMotion, FreeFallByLeapfrogIsExactAndItsVelocityHalfAStepOld) {
+  const PlanarMotion start = {{1, 2}, {0.3, -0.4}, 5, {1, 0, 0, 0}};
+  const auto gravity = [](double, const PlanarMotion&) { return Vector{0.7, -9.81, -3}; };
+  for (int steps : {1, 2, 100}) {
+    const double dt = 1e-3, t = steps * dt;
+    const PlanarMotion end = run_planar(start, 0, dt, steps, gravity);
+    EXPECT_NEAR(end.position[1], 2 - 0.4 * t - 9.81 / 2 * t * t, 1e-14);
+    EXPECT_NEAR(end.velocity[1], -0.4 - 9.81 * (t - 0.5 * dt), 1e-14);
+    EXPECT_NEAR(planar_angle(end), 5 * t - 1.5 * t * t, 1e-14);
+    EXPECT_NEAR(end.angular_velocity, 5 - 3 * (t - 0.5 * dt), 1e-13);
+    EXPECT_EQ(end.quaternion[1], 0.0);
+  }
+}
+
+// x'' = -x from (0, 1): x_n = dt sin(n phi) / sin(phi), cos(phi) = 1 - dt^2 / 2, over 1000 periods
+// as in the first one, for steps up to 2.
+TEST(RigidMotion, AnOscillatorKeepsItsAmplitudeByLeapfrogAndIsOfSecondOrder) {
+  const PlanarMotion start = {{0, 0}, {1, 0}, 0, {1, 0, 0, 0}};
+  const auto spring = [](double, const PlanarMotion& m) { return Vector{-m.position[0], 0, 0}; };
+  double error[2];
+  for (int i = 0; i < 2; ++i) {
+    const int steps = 400 << i;
+    const double dt = 2.0 / steps;
+    const auto end = run_planar(start, 0, dt, steps, spring);
+    error[i] =
+        std::hypot(end.position[0] - std::sin(2.0), end.velocity[0] - std::cos(2.0 - dt / 2));
+  }
+  EXPECT_NEAR(observed_order(error[0], error[1]), 2, 0.02);
+  for (double dt : {0.1, 0.7, 1.9}) {
+    double largest = 0;
+    PlanarMotion motion = start;
+    for (int n = 0; n < static_cast<int>(6300 / dt); ++n) {
+      PlanarRates now = {};
+      now.acceleration[0] = -motion.position[0];
+      leap(motion, now, n + 1, dt);
+      largest = std::max(largest, std::fabs(motion.position[0]));
+    }
+    EXPECT_NEAR(largest, dt / std::sin(std::acos(1 - dt * dt / 2)), 1e-2) << dt;
+  }
+}
+
 TEST(RigidMotion, FreeFallOfOrderOneMissesHalfAStep) {
   // Explicit Euler: x_n = v0 t + g dt^2 n(n-1)/2, short of the parabola by g t dt / 2.
   const PlanarMotion start = {{0, 0}, {0, 0}, 0, {1, 0, 0, 0}};
@@ -299,6 +350,26 @@ TEST(RigidMotion, FreeAsymmetricBodyShowsTheFullOrderFromBirth) {
     EXPECT_NEAR(observed_order(orientation[0], orientation[1]), order, 0.15) << order;
     EXPECT_NEAR(observed_order(energy[0], energy[1]), order, 0.15) << order;
   }
+}
+
+// The same body and torque as below, by leapfrog.
+TEST(RigidMotion, ABodyUnderTorqueIsOfSecondOrderByLeapfrog) {
+  const SpatialMotion birth = tumbling();
+  const auto torque = [](double t) { return Vector{std::cos(t), 0, -std::cos(t)}; };
+  const auto reference = runge_kutta(gyration(birth), 2.0, 20000, torque);
+  double momentum[2], orientation[2];
+  for (int i = 0; i < 2; ++i) {
+    const int steps = 400 << i;
+    const double dt = 2.0 / steps;
+    const auto end = run_spatial(birth, 0, dt, steps, [&](double t) {
+      return std::array<Vector, 2>{{{0, 0, 0}, torque(t)}};
+    });
+    momentum[i] =
+        std::fabs(end.angular_momentum[0] - birth.angular_momentum[0] - std::sin(2.0 - 0.5 * dt));
+    orientation[i] = difference(axes(end), reference.R);
+  }
+  EXPECT_NEAR(observed_order(momentum[0], momentum[1]), 2, 0.1);
+  EXPECT_NEAR(observed_order(orientation[0], orientation[1]), 2, 0.1);
 }
 
 TEST(RigidMotion, TorqueInTimeShowsTheOrderFromBirth) {

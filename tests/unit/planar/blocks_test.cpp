@@ -64,6 +64,7 @@ void expect_same_history(const PlanarLaneState& a, const PlanarLaneState& b) {
   EXPECT_EQ(a.history.viscoelastic, b.history.viscoelastic);
   EXPECT_EQ(a.history.earlier, b.history.earlier);
   EXPECT_EQ(a.history.touch_rate, b.history.touch_rate);
+  EXPECT_EQ(a.history.felt_velocity, b.history.felt_velocity);
   EXPECT_EQ(a.history.since, b.history.since);
 }
 
@@ -76,25 +77,27 @@ double square_of_lane(const PlanarBlockPool& pool, int place, int lane) {
 
 }  // namespace
 
-// With the normal force of two steps back, where it is kept.
+// With the normal force of two steps back and what the normal dashpot felt, where they are kept.
 TEST(PlanarBlocks, ALaneIsRestoredToWhatWasSaved) {
   const PlanarParts parts = {10, 4};
-  PlanarBlockPool pool(10, slots, 0, true);
-  const auto state_with_earlier = [](double seed) {
+  PlanarBlockPool pool(10, slots, 0, {true, true});
+  const auto state_with_all = [](double seed) {
     PlanarLaneState state = state_of(seed);
     state.history.earlier = seed + 4.0;
+    state.history.relaxes = true;
+    state.history.felt_velocity = seed + 5.0;
     return state;
   };
   std::vector<int> places;
   for (int k = 0; k < 6; ++k) places.push_back(add_block(pool, parts, k, k + 1));
   for (int k = 0; k < 6; ++k)
     for (int lane = 0; lane < planar_lanes; ++lane)
-      pool.restore(places[k], lane, state_with_earlier(10.0 * k + lane));
+      pool.restore(places[k], lane, state_with_all(10.0 * k + lane));
   EXPECT_EQ(pool.contacts(), 12u);
   for (int k = 0; k < 6; ++k)
     for (int lane = 0; lane < planar_lanes; ++lane) {
       const PlanarLaneState state = saved(pool, places[k], lane);
-      expect_same_history(state, state_with_earlier(10.0 * k + lane));
+      expect_same_history(state, state_with_all(10.0 * k + lane));
       EXPECT_EQ(state.i, k);
       EXPECT_EQ(state.j, k + 1);
       EXPECT_EQ(state.sphere_i, 2 * lane);
@@ -103,7 +106,7 @@ TEST(PlanarBlocks, ALaneIsRestoredToWhatWasSaved) {
   pool.clear(places[3], 1);
   EXPECT_EQ(pool.contacts(), 11u);
   EXPECT_EQ(saved(pool, places[3], 1).history.known, 0);
-  expect_same_history(saved(pool, places[3], 0), state_with_earlier(30.0));
+  expect_same_history(saved(pool, places[3], 0), state_with_all(30.0));
 }
 
 // The velocity of the step that is evaluated overwrites the oldest one, and is the newest after the

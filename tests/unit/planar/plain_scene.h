@@ -23,7 +23,7 @@ class PlainScene {
   PlainScene(const PlanarSettings& settings, const std::vector<PlanarBody>& start)
       : settings_(settings),
         start_(start),
-        past_(start.size(), std::vector<PlanarRates>(settings.order)),
+        past_(start.size(), std::vector<PlanarRates>(std::max(1, settings.order))),
         loads_(start.size()),
         factors_(start.size(), 1) {
     for (const PlanarBody& body : start) {
@@ -58,6 +58,7 @@ class PlainScene {
     double spring;
     std::vector<double> velocities;  // newest first
     int known, step;
+    Vector felt;  // by the dashpots, along the normal and the tangent
   };
 
   /// What is geometry about a contact: normal from j to i, levers of i and j from their centres of
@@ -97,6 +98,10 @@ class PlainScene {
                    motion.angular_velocity,
                    {loads_[b][0] / body.mass / factors_[b], loads_[b][1] / body.mass / factors_[b]},
                    loads_[b][2] / body.moment / factors_[b]};
+    if (order == 0) {
+      leap(motion, past.back(), step, settings_.dt);
+      return;
+    }
     if (step == 1) fill_kinematic_history(past.data(), order, settings_.dt);
     advance(motion, past.data(), order, std::min(step, order + 1), settings_.dt);
   }
@@ -202,8 +207,11 @@ class PlainScene {
   History& renewed_history(const Contact& contact, double touch_spring, int step) {
     const int order = settings_.order;
     History& history = histories_[contact.key];
+    const Vector now = {normal_velocity(contact), tangential_velocity(contact)};
     if (history.velocities.empty() || history.step != step - 1) {
-      history = {touch_spring, {}, 0, step};
+      history = {touch_spring, {}, 0, step, now};
+    } else if (order == 0) {
+      history.spring += settings_.dt * now[1];
     } else {
       const auto& weights = multistep_weights(order, std::min(history.known, order + 1));
       for (int k = 0; k < std::min<int>(order, history.velocities.size()); ++k)
@@ -211,8 +219,13 @@ class PlainScene {
     }
     history.step = step;
     ++history.known;
-    history.velocities.insert(history.velocities.begin(), tangential_velocity(contact));
-    history.velocities.resize(std::min<std::size_t>(history.velocities.size(), order));
+    history.velocities.insert(history.velocities.begin(), now[1]);
+    history.velocities.resize(std::min<std::size_t>(history.velocities.size(), std::max(1, order)));
+    const double tau = settings_.dashpot_relaxation;
+    for (int d = 0; d < 2; ++d)
+      history.felt[d] = tau > 0 && history.known > 1
+                            ? now[d] + std::exp(-settings_.dt / tau) * (history.felt[d] - now[d])
+                            : now[d];
     return history;
   }
 
@@ -221,8 +234,8 @@ class PlainScene {
     History& history = renewed_history(contact, touch_spring, step);
     const NormalForce normal =
         normal_force(law.kn, damping_coefficient(law.eta_n, contact.mass, law.kn), contact.overlap,
-                     normal_velocity(contact));
-    double spring[1] = {history.spring}, velocity[1] = {history.velocities[0]}, tangential[1];
+                     history.felt[0]);
+    double spring[1] = {history.spring}, velocity[1] = {history.felt[1]}, tangential[1];
     tangential_force(law.kt, damping_coefficient(law.eta_t, contact.mass, law.kt),
                      law.friction * (settings_.total_force_cap ? normal.total : normal.elastic),
                      spring, velocity, tangential);

@@ -201,19 +201,22 @@ TEST(PlanarScene, AnAngleBeyondAllNumbersEnds) {
   EXPECT_EQ(scene.run(3), 3);
 }
 
-// Orders, both caps of friction, and mass scaling.
+// Orders, both caps of friction, mass scaling, and dashpots that relax.
 TEST(PlanarScene, MatchesAPlainLoopOverAllSpheres) {
   const struct {
     int order;
     bool total_force_cap;
-    double mass_scaling;
-  } methods[] = {{1, false, 0}, {2, true, 0}, {3, false, 0}, {4, true, 0}, {2, false, 1.2}};
+    double mass_scaling, dashpot_relaxation;
+  } methods[] = {{1, false, 0, 0},  {2, true, 0, 0},     {3, false, 0, 0},
+                 {4, true, 0, 0},   {2, false, 1.2, 0},  {0, false, 0, 0},
+                 {0, true, 1.2, 0}, {0, false, 0, 2e-5}, {0, true, 0, 2e-5}};
   for (const auto& method : methods) {
     const int order = method.order;
     PlanarSettings settings = box(5);
     settings.order = order;
     settings.total_force_cap = method.total_force_cap;
     settings.mass_scaling = method.mass_scaling;
+    settings.dashpot_relaxation = method.dashpot_relaxation;
     settings.events = false;
     const std::vector<PlanarBody> start = heap(9, 5);
     const int steps = 4000;
@@ -399,8 +402,13 @@ TEST(PlanarScene, RefusesValuesOutOfRange) {
   EXPECT_EQ(message(settings, {rod(5, 0, 0, 0)}), "");
   settings.order = 5;
   EXPECT_THAT(message(settings, {}),
-              testing::HasSubstr("order is 5.000000, expected 1, 2, 3 or 4"));
+              testing::HasSubstr("order is 5.000000, expected 0, 1, 2, 3 or 4"));
   settings.order = 3;
+  settings.dashpot_relaxation = 2;
+  EXPECT_THAT(message(settings, {}),
+              testing::HasSubstr("dashpot_relaxation is 2.000000, expected 0, or a time > 0 (s) "
+                                 "with order 0"));
+  settings.dashpot_relaxation = 0;
   settings.laws[0].eta_n = 1.0;
   EXPECT_THAT(message(settings, {}), testing::HasSubstr("eta_n is 1.0"));
   PlanarBody body = rod(5, 0, 0, 0);

@@ -17,6 +17,7 @@ void PlanarBlockPool::set_arguments(int part, PlanarForceArguments& forces) {
   forces.rows = rows();
   forces.newest = velocity(0, true);
   forces.earlier = earlier();
+  forces.felt_velocity = felt_velocity();
   forces.slots = slots_;
   for (int k = 0; k < slots_; ++k) forces.velocity[k] = velocity(k);
 }
@@ -53,7 +54,9 @@ void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
   for (int k = 0; k < max_multistep_order; ++k)
     history.velocity[k] = k < slots_ ? of_lane[velocity(k)] : 0.0;
   history.viscoelastic = of_lane[planar_viscoelastic];
-  history.earlier = has_earlier_ ? of_lane[earlier()] : 0.0;
+  history.earlier = extra_.earlier ? of_lane[earlier()] : 0.0;
+  history.relaxes = extra_.felt_velocity;
+  history.felt_velocity = extra_.felt_velocity ? of_lane[felt_velocity()] : 0.0;
   history.touch_rate = cold.touch_rate[lane];
   history.since = cold.since[lane];
 }
@@ -76,7 +79,8 @@ void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state,
   of_lane[planar_spring] = history.spring;
   for (int k = 0; k < slots_; ++k) of_lane[velocity(k, aged)] = history.velocity[k];
   of_lane[planar_viscoelastic] = history.viscoelastic;
-  if (has_earlier_) of_lane[earlier()] = history.earlier;
+  if (extra_.earlier) of_lane[earlier()] = history.earlier;
+  if (extra_.felt_velocity) of_lane[felt_velocity()] = history.felt_velocity;
 }
 
 }  // namespace rodpack

@@ -7,8 +7,8 @@
 
 namespace rodpack {
 
-PlanarBlockPool::PlanarBlockPool(int bodies, int slots, int hole_j, bool earlier)
-    : slots_(slots), has_earlier_(earlier), of_body_(bodies) {
+PlanarBlockPool::PlanarBlockPool(int bodies, int slots, int hole_j, PlanarExtraRows extra)
+    : slots_(slots), extra_(extra), of_body_(bodies) {
   hole_.j = hole_j;
   hole_.gap = std::numeric_limits<float>::infinity();
 }

@@ -29,6 +29,12 @@ struct PlanarBlockColdData {
   bool just_touched[planar_lanes];
 };
 
+/// What a contact remembers beside what every one does: its normal force one evaluation before the
+/// last; what its normal dashpot felt in the last one.
+struct PlanarExtraRows {
+  bool earlier = false, felt_velocity = false;
+};
+
 /// Blocks in groups, and an index of the blocks of each body. Places that no block has are holes,
 /// which the SIMD loops may take like blocks: nothing is alive in them, their gap is infinite, they
 /// name a body or wall that is there, and their spheres do not coincide, so that the distance of
@@ -41,8 +47,7 @@ class PlanarBlockPool {
  public:
   /// @param slots  tangential velocities that a contact remembers
   /// @param hole_j  second body of the holes: 0 or, if the blocks are of walls, -1
-  /// @param earlier  whether a contact remembers its normal force one evaluation before the last
-  PlanarBlockPool(int bodies, int slots, int hole_j, bool earlier = false);
+  PlanarBlockPool(int bodies, int slots, int hole_j, PlanarExtraRows extra = PlanarExtraRows());
 
   void resize(int bodies) { of_body_.resize(bodies); }
   /// The number of places, holes too.
@@ -90,6 +95,8 @@ class PlanarBlockPool {
   }
   /// Offset of the normal force one evaluation before the last among a block's numbers.
   int earlier() const { return planar_velocities + slots_ * planar_row; }
+  /// Offset of what the normal dashpot felt.
+  int felt_velocity() const { return earlier() + (extra_.earlier ? planar_row : 0); }
   /// Makes the velocities so many steps older.
   void age(int steps) { front_ = newest_ = ring_index(-steps); }
   /// Until they age, velocities are counted from so many steps after the last one: a part of
@@ -124,7 +131,9 @@ class PlanarBlockPool {
     const std::size_t group = place / planar_group;
     return group * rows() * planar_row + place % planar_group * planar_lanes;
   }
-  int rows() const { return planar_velocities / planar_row + slots_ + (has_earlier_ ? 1 : 0); }
+  int rows() const {
+    return planar_velocities / planar_row + slots_ + extra_.earlier + extra_.felt_velocity;
+  }
   int ring_index(int k) const { return ((newest_ + k) % slots_ + slots_) % slots_; }
 
   int take_hole(int part);
@@ -135,7 +144,7 @@ class PlanarBlockPool {
   void find_ends(const PlanarParts& parts, int first, int end, std::vector<int>& ends) const;
 
   const int slots_;
-  const bool has_earlier_;
+  const PlanarExtraRows extra_;
   AlignedVector<PlanarBlockHead> heads_;
   AlignedVector<double> all_values_;
   std::vector<int> laws_;
@@ -168,8 +177,8 @@ class PlanarBlockPool {
 /// All blocks of a scene: between two bodies, and between a body and a wall.
 class PlanarBlocks {
  public:
-  PlanarBlocks(int bodies, int slots, bool earlier = false)
-      : pairs_(bodies, slots, 0, earlier), at_walls_(bodies, slots, -1, earlier) {}
+  PlanarBlocks(int bodies, int slots, PlanarExtraRows extra = PlanarExtraRows())
+      : pairs_(bodies, slots, 0, extra), at_walls_(bodies, slots, -1, extra) {}
 
   const PlanarBlockPool& pairs() const { return pairs_; }
   const PlanarBlockPool& at_walls() const { return at_walls_; }

@@ -46,7 +46,8 @@ void PlanarBodyStates::add(int body, const PlanarBody& from) {
   set_info(body, from);
   if (from.tag < 0) tags_[body] = body;
   kinematics_[body] = kinematics_of(from);
-  evaluations_[body] = static_cast<std::int8_t>(std::min(from.evaluations, settings_.order + 1));
+  evaluations_[body] =
+      static_cast<std::int8_t>(std::min(from.evaluations, std::max(1, settings_.order) + 1));
   for (int d = 0; d < 3; ++d) {
     loads_[body].d[d] = from.load[d];
     inertia_[body].d[d] = from.prescribed ? 0.0 : 1.0 / (d < 2 ? from.mass : from.moment);

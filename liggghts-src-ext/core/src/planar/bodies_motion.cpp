@@ -59,7 +59,8 @@ void PlanarBodyStates::advance(int part, long step, const PlanarKernel& kernel,
 
 PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
   PlanarAdvanceArguments arguments = PlanarAdvanceArguments();
-  const int order = settings_.order;
+  const int order = std::max(1, settings_.order);
+  arguments.leapfrog = settings_.order == 0;
   arguments.bodies = parts_.bodies(part);
   arguments.order = order;
   arguments.dt = settings_.dt;
@@ -82,6 +83,7 @@ PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
     const MultistepWeights& of_force = multistep_weights(order, known);
     std::copy(of_force.begin(), of_force.end(), arguments.force_weights[known]);
   }
+  if (arguments.leapfrog) arguments.force_weights[1][0] = leapfrog_kick(1, 1.0);
   return arguments;
 }
 

@@ -6,6 +6,7 @@
 #include "bodies.h"
 #include "force_evaluator.h"
 #include "neighbours.h"
+#include "rodpack/contact/dashpot_relaxation.h"
 #include "rodpack/contact/normal_history.h"
 #include "rodpack/contact/tangential_history.h"
 
@@ -18,6 +19,7 @@ PlanarForceEvaluator::PlanarForceEvaluator(const PlanarSettings& given, const Pl
     : settings_(given),
       slots_(blocks.slots()),
       follows_(given.events && given.order > 1),
+      kept_(kept_in_step(given.dashpot_relaxation, given.dt)),
       bodies_(of_bodies),
       neighbours_(neighbours),
       blocks_(blocks),
@@ -48,7 +50,8 @@ PlanarForceArguments PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int 
   forces.walls = wall_lines_.data();
   forces.order = settings_.order;
   forces.dt = settings_.dt;
-  const MultistepWeights& weights = adams_bashforth_weights(settings_.order);
+  forces.kept = kept_;
+  const MultistepWeights& weights = adams_bashforth_weights(std::max(1, settings_.order));
   for (int k = 0; k < settings_.order; ++k) forces.spring_weights[k] = settings_.dt * weights[k];
   forces.follows = follows_;
   if (static_cast<int>(work_.general.size()) < pool.size()) {
@@ -182,7 +185,8 @@ void PlanarForceEvaluator::evaluate_lane(PlanarBlockPool& pool, int place, int l
   }
 
   ++general_contacts_;
-  const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan, contact.vn);
+  const NormalForce normal = normal_force(contact.kn, contact.gamman, contact.deltan,
+                                          follow_velocity(contact, normal_history, alive, kept_));
   follow_normal_force(contact, normal_history, normal.viscoelastic, alive, settings_.dt,
                       follows_ ? &events_ : nullptr);
   const TangentialForce tangential =

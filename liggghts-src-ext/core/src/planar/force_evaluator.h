@@ -33,7 +33,7 @@ class PlanarForceEvaluator {
   std::vector<PlanarContactState> contacts() const;
   /// Evaluations after which a contact is past its start-up, and all that events may look at is
   /// known.
-  int full_count() const { return slots_ + 1; }
+  int full_count() const { return settings_.order == 0 ? 1 : slots_ + 1; }
   /// Whether events of contacts are followed.
   bool follows_events() const { return follows_; }
   /// Contacts that have taken the general path so far.
@@ -52,11 +52,12 @@ class PlanarForceEvaluator {
   PlanarContactState contact_state(const PlanarBlockPool& pool, int place, int lane) const;
   bool place_lane(const PlanarBlockPool& pool, int place, int lane, PlanarContact& contact) const;
   void apply(const PlanarContact& contact, double normal, const double (&tangential)[3]);
-  TangentialStep tangential_step() const { return {settings_.order, step_, settings_.dt}; }
+  TangentialStep tangential_step() const { return {settings_.order, step_, settings_.dt, kept_}; }
 
   const PlanarSettings& settings_;
   const int slots_;  // tangential velocities that a contact remembers
   const bool follows_;
+  const double kept_;  // of what dashpots felt one step ago (dashpot_relaxation.h)
   PlanarBodyStates& bodies_;
   const PlanarNeighbours& neighbours_;
   PlanarBlocks& blocks_;

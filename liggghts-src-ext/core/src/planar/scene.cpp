@@ -32,10 +32,12 @@ void require(bool holds, const std::string& name, double value, const char* expe
 }
 
 void validate(const PlanarSettings& s, const std::vector<PlanarBody>& bodies) {
-  require(s.order >= 1 && s.order <= max_multistep_order, "order", s.order, "1, 2, 3 or 4");
+  require(s.order >= 0 && s.order <= max_multistep_order, "order", s.order, "0, 1, 2, 3 or 4");
   require(s.slots >= 1 && s.slots <= max_multistep_order, "slots", s.slots, "1, 2, 3 or 4");
   require(s.mass_scaling == 0.0 || s.mass_scaling >= 1.0, "mass_scaling", s.mass_scaling,
           "0 or a number >= 1");
+  require(s.dashpot_relaxation == 0.0 || (s.dashpot_relaxation > 0.0 && s.order == 0),
+          "dashpot_relaxation", s.dashpot_relaxation, "0, or a time > 0 (s) with order 0");
   require(s.dt > 0.0, "time step", s.dt, "a step > 0 (s)");
   require(s.types >= 1 && s.laws.size() == static_cast<std::size_t>(s.types) * s.types,
           "number of laws", static_cast<double>(s.laws.size()), "one for every pair of types");
@@ -89,8 +91,16 @@ void validate(const PlanarContactState& contact, const PlanarBodyStates& bodies,
             -1 - contact.body_j, "0 .. number of walls-1");
 }
 
+/// Tangential velocities that contacts remember: of leapfrog none but what the dashpot felt.
+int slots_of(const PlanarSettings& settings) {
+  return settings.order == 0 ? 1 : std::max(settings.order, settings.slots);
+}
+
 /// The state of a lane in which i and j change places if `swapped`; components along z x n stay.
-PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, int full_count) {
+/// `relaxes`: whether dashpots have a relaxation time. A history without what they felt, or with it
+/// where they feel no past, is none for the SIMD loops.
+PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, int full_count,
+                              bool relaxes) {
   PlanarLaneState state = PlanarLaneState();
   state.i = swapped ? contact.body_j : contact.body_i;
   state.j = swapped ? contact.body_i : contact.body_j;
@@ -98,7 +108,7 @@ PlanarLaneState lane_state_of(const PlanarContactState& contact, bool swapped, i
   state.sphere_j = static_cast<std::uint16_t>(swapped ? contact.sphere_i : contact.sphere_j);
   state.history = contact.history;
   state.history.known = std::min(contact.history.known, full_count);
-  state.full_history = state.history.known == full_count;
+  state.full_history = state.history.known == full_count && state.history.relaxes == relaxes;
   return state;
 }
 
@@ -145,7 +155,8 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
       parts{static_cast<int>(all.size()), bodies_in_part},
       kernel(planar_kernel(given.instructions, given.total_force_cap)),
       bodies(settings, parts, all),
-      blocks(bodies.size(), std::max(given.order, given.slots), given.total_force_cap),
+      blocks(bodies.size(), slots_of(given),
+             {given.total_force_cap, given.dashpot_relaxation > 0.0}),
       events(parts),
       dependencies(parts),
       neighbours(settings, bodies, parts, blocks, dependencies),
@@ -266,8 +277,9 @@ void PlanarScene::set_contacts(const std::vector<PlanarContactState>& contacts) 
     validate(contact, d.bodies, d.settings.walls.size());
     const bool swapped =
         contact.body_j >= 0 && !d.bodies.comes_first(contact.body_i, contact.body_j);
-    require(d.blocks.restore(lane_state_of(contact, swapped, d.forces.full_count())),
-            "contact of bodies", contact.body_i, "spheres that are close");
+    const PlanarLaneState state =
+        lane_state_of(contact, swapped, d.forces.full_count(), d.settings.dashpot_relaxation > 0.0);
+    require(d.blocks.restore(state), "contact of bodies", contact.body_i, "spheres that are close");
   }
   d.sort_blocks();
 }

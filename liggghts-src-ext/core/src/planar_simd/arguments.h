@@ -56,6 +56,7 @@ struct PlanarForceArguments {
   int velocity[max_multistep_order];  // offsets of these, k + 1 steps back
   int newest;                         // offset of the tangential velocity of this step
   int earlier;                        // of the normal force two steps back, under a WholeLoad
+  int felt_velocity;                  // of what the normal dashpot felt, if kept > 0
   // Bodies.
   const PlanarKinematics* kinematics;
   const double* moved;  // since their reference position, an upper bound, m
@@ -73,8 +74,9 @@ struct PlanarForceArguments {
   const PlanarLawConstants* laws;
   bool one_law;
   const PlanarWallLine* walls;
-  int order;
+  int order;  // 0: leapfrog
   double dt;
+  double kept;                                 // of dashpot_relaxation.h; 0: dashpots do not relax
   double spring_weights[max_multistep_order];  // of the velocities in the spring, times dt, s
   bool follows;                                // whether events are corrected for
   // Room for an entry for each block.
@@ -127,7 +129,8 @@ struct alignas(64) PlanarReferenceLanes {
 /// Arguments of the loop that advances bodies by a step.
 struct PlanarAdvanceArguments {
   PlanarRange bodies;  // `first` is a multiple of body_lanes
-  int order;
+  int order;           // of the formula: 1 for leapfrog, which has its weights
+  bool leapfrog;       // positions follow from the velocities after the step
   double dt;
   PlanarKinematics* kinematics;
   PlanarVector* loads;   // become the weights, to which the forces of the next step are added

@@ -74,6 +74,15 @@ inline void set_constants(int first, const double* values, const PlanarForceArgu
   }
 }
 
+/// What the dashpots of contacts with a relaxation time feel (dashpot_relaxation.h).
+inline void relax(const double* values, const PlanarForceArguments& forces,
+                  LastingContact<LaneContacts>& contact) {
+  contact.separation_velocity = relaxed_velocity(load_lanes(values + forces.felt_velocity),
+                                                 contact.separation_velocity, forces.kept);
+  contact.tangential_velocity = relaxed_velocity(load_lanes(values + forces.velocity[0]),
+                                                 contact.tangential_velocity, forces.kept);
+}
+
 /// The law for the lanes `lasting`, which have a full history, and the history brought to this
 /// step. `sliding`: lanes that slid; becomes those that do. `Load`: of the cap of friction.
 /// `Jumps`: what is known of the jumps of the bodies.
@@ -96,6 +105,9 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   const LaneMask unfit = follow_jumps<Load>(jumps, values, forces, contact, before, velocity);
   contact.spring = contact.spring_before;
   for (int k = 0; k < forces.order; ++k) contact.spring += forces.spring_weights[k] * velocity[k];
+  // Leapfrog shows the velocity of half the step, where the midpoint rule wants it.
+  if (forces.order == 0) contact.spring += forces.dt * motion.tangential_velocity;
+  if (forces.kept > 0.0) relax(values, forces, contact);
   const LastingForce<LaneContacts> force = lasting_force<Load>(contact, zero, forces.follows);
 
   LaneMask acts = lanes_of_bits(lasting);
@@ -117,7 +129,9 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   if (Jumps::any)
     for (int k = 0; k < forces.slots; ++k)
       keep_lanes(acts, values + forces.velocity[k], velocity[k]);
-  keep_lanes(acts, values + forces.newest, motion.tangential_velocity);
+  if (forces.kept > 0.0)
+    keep_lanes(acts, values + forces.felt_velocity, contact.separation_velocity);
+  keep_lanes(acts, values + forces.newest, contact.tangential_velocity);
   sliding = lane_bits(lane_choice(acts, force.slides, contact.slid));
   return result;
 }

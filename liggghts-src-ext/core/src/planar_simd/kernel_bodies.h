@@ -110,7 +110,7 @@ inline Lanes advance_velocity(const PlanarAdvanceArguments& arguments, int body,
   store_lanes(velocity, after);
   const double steps = arguments.steps_ahead;
   ahead = (steps * arguments.dt) * (after + (0.5 * steps) * change);
-  return dx;
+  return arguments.leapfrog ? after : dx;
 }
 
 inline void cosine_and_sine(Lanes angle, Lanes& c, Lanes& s) {

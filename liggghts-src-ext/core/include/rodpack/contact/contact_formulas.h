@@ -96,6 +96,14 @@ inline Real viscoelastic_force(Real stiffness, Real overlap, Real damping,
   return stiffness * overlap - damping * separation_velocity;
 }
 
+/// The velocity that a dashpot with a relaxation time feels (dashpot_relaxation.h): what it felt
+/// one step ago goes over to the velocity of the surfaces, of which it still lacks the share
+/// `kept`.
+template <class Real>
+inline Real relaxed_velocity(Real felt, Real now, double kept) {
+  return now + kept * (felt - now);
+}
+
 /// Force of spring and dashpot in the plane of contact, on i, before Coulomb's cap: the trial
 /// force of a contact that sticks.
 template <class Real>

@@ -21,6 +21,10 @@ struct NormalHistory {
   double touch_rate = 0.0;
   /// The last evaluation was the first, in the step in which the surfaces touched.
   bool just_touched = false;
+  /// Whether its dashpot has a relaxation time, and the velocity that it felt then, m/s
+  /// (dashpot_relaxation.h).
+  bool relaxes = false;
+  double felt_velocity = 0.0;
   /// Number of the step after the last evaluation, the one that it was made for; 0: never.
   std::int64_t next_step = 0;
 };
@@ -32,7 +36,8 @@ struct TangentialHistory {
   int slots = 0;
   /// Integral of the tangential velocity over the life of the contact, m.
   double spring[3] = {0.0, 0.0, 0.0};
-  /// Tangential velocities of the last steps, newest first, m/s.
+  /// Tangential velocities of the last steps, newest first, m/s; with a relaxation time the newest
+  /// is the one that the dashpot felt.
   double velocity[max_multistep_order][3] = {};
   /// Evaluations that have been made, counted up to slots + 1; 0 where there is no contact.
   int known = 0;
@@ -85,14 +90,29 @@ inline void pack_force(const NormalHistory& history, double* stored) {
 }
 }  // namespace detail
 
+// The third number says what the second one is: with a relaxation time no events are followed, and
+// what the dashpot felt takes the place of the rate at touch.
+constexpr double stored_felt_velocity = 2.0;
+
 inline NormalHistory unpack_normal(const double* stored) {
-  NormalHistory history = detail::unpack_force(stored);
+  NormalHistory history;
+  history.relaxes = stored[2] == stored_felt_velocity;
+  if (history.relaxes) {
+    history.viscoelastic = stored[0];
+    history.felt_velocity = stored[1];
+  } else {
+    history = detail::unpack_force(stored);
+  }
   history.next_step = static_cast<std::int64_t>(stored[3]);
   return history;
 }
 
 inline void pack(const NormalHistory& history, double* stored) {
   detail::pack_force(history, stored);
+  if (history.relaxes) {
+    stored[1] = history.felt_velocity;
+    stored[2] = stored_felt_velocity;
+  }
   stored[3] = static_cast<double>(history.next_step);
 }
 

@@ -86,6 +86,17 @@ void go_on(const Contact& contact, const NormalHistory& history, double viscoela
 
 }  // namespace detail
 
+/// The velocity that the dashpot of a contact feels in this step, m/s. It keeps the share `kept` of
+/// what it felt one step ago, 0 without a relaxation time. `alive`: the contact was evaluated then.
+template <class Contact>
+double follow_velocity(const Contact& contact, NormalHistory& history, bool alive, double kept) {
+  const bool goes_on = alive && history.relaxes;
+  history.relaxes = kept > 0.0;
+  history.felt_velocity =
+      goes_on ? relaxed_velocity(history.felt_velocity, contact.vn, kept) : contact.vn;
+  return history.felt_velocity;
+}
+
 /// Reports the events of a contact under the force `viscoelastic` (N), before its cut-off at 0, and
 /// keeps what the next evaluation needs. `alive`: it was evaluated one step ago. `events` may be
 /// null.

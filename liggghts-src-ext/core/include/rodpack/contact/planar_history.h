@@ -19,6 +19,8 @@ struct PlanarHistory {
   double earlier = 0.0;                        // the same one evaluation before the last, N; known
                                                // under the cap of the whole normal force alone
   double touch_rate = 0.0;                     // of the normal force, assumed at touch, N/s
+  bool relaxes = false;                        // whether the dashpots have a relaxation time; then:
+  double felt_velocity = 0.0;                  // what the normal one felt, m/s
   int known = 0;                               // evaluations, at most slots + 1; 0: no contact
   bool sliding = false, just_touched = false;  // at the last evaluation, which was the first
 };
@@ -36,6 +38,8 @@ inline PlanarHistory to_plane(const NormalHistory& normal_force, const Tangentia
   history.sliding = friction.sliding;
   history.viscoelastic = normal_force.viscoelastic;
   history.touch_rate = normal_force.touch_rate;
+  history.relaxes = normal_force.relaxes;
+  history.felt_velocity = normal_force.felt_velocity;
   history.just_touched = normal_force.just_touched;
   return history;
 }
@@ -69,6 +73,8 @@ inline void to_space(const PlanarHistory& history, Vector2<double> normal,
   friction.sliding = history.sliding;
   normal_force.viscoelastic = history.viscoelastic;
   normal_force.touch_rate = history.touch_rate;
+  normal_force.relaxes = history.relaxes;
+  normal_force.felt_velocity = history.felt_velocity;
   normal_force.just_touched = history.just_touched;
 }
 

@@ -39,10 +39,12 @@ struct TangentialForce {
 };
 
 /// A multistep step of the contact history: order (0: velocity Verlet), number and length (s).
+/// `kept`: of what dashpots felt one step ago (dashpot_relaxation.h), 0 but for order 0.
 struct TangentialStep {
   int order;
   std::int64_t now;
   double dt;
+  double kept = 0.0;
 };
 
 namespace detail {
@@ -161,7 +163,9 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
     std::copy(history.spring, history.spring + 3, past.spring);
     // Velocity Verlet shows the velocity at half the step, where the midpoint rule wants it.
     for (int d = 0; d < 3; ++d) history.spring[d] += dt * velocity[d];
-    std::copy(velocity, velocity + 3, history.velocity[0]);
+    turn(history.velocity[0]);
+    for (int d = 0; d < 3; ++d)
+      history.velocity[0][d] = relaxed_velocity(history.velocity[0][d], velocity[d], step.kept);
     history.known = 1;
     return past;
   }
@@ -330,7 +334,9 @@ TangentialForce tangential_contact_force(const Contact& contact, TangentialHisto
     if (followed && !past.alive) past.sliding = cap.slides_from_touch(contact);
   }
 
-  const double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+  // What the dashpot feels.
+  double velocity[3] = {contact.vtr1, contact.vtr2, contact.vtr3};
+  if (step.kept > 0.0) std::copy(history.velocity[0], history.velocity[0] + 3, velocity);
   double(&force)[3] = result.force, (&spring)[3] = result.spring;
   std::copy(history.spring, history.spring + 3, spring);
   const double limit = cap.now(contact);

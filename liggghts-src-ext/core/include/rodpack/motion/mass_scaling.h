@@ -56,15 +56,16 @@ inline double inertia_factor(double weight, double scaling) {
 
 /// Particles and contacts of a packing of one law.
 struct PackingLaw {
-  double stiffness;      // k_n of a contact, N/m
-  double damping_ratio;  // eta_n
-  double lightest_mass;  // kg
+  double stiffness;            // k_n of a contact, N/m
+  double damping_ratio;        // eta_n
+  double lightest_mass;        // kg
+  double dashpot_share = 1.0;  // share_in_fastest_motion() of the dashpots, 1 unless they relax
 };
 
-/// Largest stable step (s) of Adams-Bashforth steps of `order` (1..4) in any packing under the mass
-/// scaling S (>= 1): y(S eta) / S over the frequency of a pair of the lightest particles, with
-/// y = stability_limit(). For dashpots that stand beside all springs with the same ratio to them,
-/// and k_t <= k_n / 2.
+/// Largest stable step (s) of Adams-Bashforth steps of `order` (1..4), or of leapfrog (0), in any
+/// packing under the mass scaling S (>= 1): y(S eta) / S over the frequency of a pair of the
+/// lightest particles, with y = stability_limit(). For dashpots that stand beside all springs with
+/// the same ratio to them, and k_t <= k_n / 2.
 /// @throws std::invalid_argument for numbers out of range.
 double mass_scaled_timestep_limit(int order, double scaling, const PackingLaw& law);
 

@@ -169,6 +169,44 @@ inline void fill_kinematic_history(PlanarRates* history, int order, double dt) {
 void fill_kinematic_history(SpatialRates* history, int order, double dt, const SpatialMotion& birth,
                             const double (&inertia)[3]);
 
+// One leapfrog step, for order 0: velocities are those of half a step before the positions,
+//   v_{n+1/2} = v_{n-1/2} + dt a_n,  x_{n+1} = x_n + dt v_{n+1/2}.
+// At birth they are those of the positions' time, so the first kick lasts half a step.
+
+/// How long the accelerations act on the velocities in the step after so many `evaluations`, s.
+inline double leapfrog_kick(int evaluations, double dt) { return evaluations == 1 ? 0.5 * dt : dt; }
+
+/// Advances the body by one leapfrog step, from the accelerations in `now`. The orientation turns
+/// exactly by the increment of the angle.
+inline void leap(PlanarMotion& motion, const PlanarRates& now, int evaluations, double dt) {
+  const double kick = leapfrog_kick(evaluations, dt);
+  for (int d = 0; d < 2; ++d) {
+    motion.velocity[d] += kick * now.acceleration[d];
+    motion.position[d] += dt * motion.velocity[d];
+  }
+  motion.angular_velocity += kick * now.angular_acceleration;
+  rotate_about_z(dt * motion.angular_velocity, motion.quaternion);
+}
+
+/// The same in space, from the accelerations and torques in `now`. The angular momentum of the
+/// middle of the step turns the body at the rate that it has there, to second order.
+inline void leap(SpatialMotion& motion, const SpatialRates& now, const double (&inertia)[3],
+                 int evaluations, double dt) {
+  const double kick = leapfrog_kick(evaluations, dt);
+  for (int d = 0; d < 3; ++d) {
+    motion.velocity[d] += kick * now.acceleration[d];
+    motion.position[d] += dt * motion.velocity[d];
+    motion.angular_momentum[d] += kick * now.torque[d];
+  }
+  double rate[4], midway[4];
+  quaternion_rate(motion.quaternion, motion.angular_momentum, inertia, rate);
+  for (int d = 0; d < 4; ++d) midway[d] = motion.quaternion[d] + 0.5 * dt * rate[d];
+  normalise(midway);
+  quaternion_rate(midway, motion.angular_momentum, inertia, rate);
+  for (int d = 0; d < 4; ++d) motion.quaternion[d] += dt * rate[d];
+  normalise(motion.quaternion);
+}
+
 /// Advances the body by one step. The orientation turns exactly by the increment of the angle.
 inline void advance(PlanarMotion& motion, const PlanarRates* history, int order, int evaluations,
                     double dt) {

@@ -15,8 +15,8 @@ namespace rodpack {
 class PlanarRanks;
 
 // The planar engine: a planar packing of rigid chains of spheres between straight walls, advanced
-// by Adams-Bashforth steps with the contact law of contact_law.h, at three degrees of freedom per
-// body. SI units throughout.
+// by Adams-Bashforth or leapfrog steps with the contact law of contact_law.h, at three degrees of
+// freedom per body. SI units throughout.
 
 /// Contact constants of two types.
 struct PlanarLaw {
@@ -41,15 +41,16 @@ struct PlanarWall {
 
 struct PlanarSettings {
   double dt;
-  int order = 3;  // 1..4
+  int order = 3;  // 1..4; 0: leapfrog (rigid_motion.h)
   /// Tangential velocities that a contact remembers, order .. 4; friction looks back up to three
   /// steps where there are so many.
   int slots = 3;
-  bool events = true;  // correct for the events of contacts (force_change.h); ignored at order 1
+  bool events = true;  // correct for the events of contacts (force_change.h); ignored below order 2
   /// Friction up to mu times the whole normal force, dashpot included, in place of mu k_n times the
   /// overlap (friction_cap.h).
   bool total_force_cap = false;
-  double mass_scaling = 0.0;  // S of mass_scaling.h, >= 1; 0: none
+  double mass_scaling = 0.0;        // S of mass_scaling.h, >= 1; 0: none
+  double dashpot_relaxation = 0.0;  // tau of dashpot_relaxation.h, s; 0: none; order 0 alone
   double gravity[2] = {0.0, 0.0};
   int types = 1;
   std::vector<PlanarLaw> laws;  // types x types, row by row, symmetric
