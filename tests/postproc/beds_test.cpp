@@ -245,9 +245,9 @@ TEST(Beds, PresetsKnowTheRodsOfTheScene) {
   EXPECT_NEAR(of(three).models[0].step / of(two).models[0].step, std::sqrt(60.0 / 38), 1e-12);
   const BedModel economy = of({}).models[0];
   EXPECT_EQ(economy.method, "leapfrog");
-  EXPECT_EQ(economy.mass_scaling, 6.5);
+  EXPECT_EQ(economy.mass_scaling, 7);
   EXPECT_EQ(economy.relaxation_steps, 1);
-  EXPECT_NEAR(economy.step, 5.39e-5, 0.01e-5);
+  EXPECT_NEAR(economy.step, 4.74e-5, 0.01e-5);
   const auto frontier = bed_comparisons({}, {"frontier"}, two);
   for (const BedModel& model : frontier.front().models) EXPECT_EQ(model.overlap, 0);
 }

@@ -127,7 +127,7 @@ BedComparison presets(const BedScene& scene) {
   const double mass = mass_properties(shape, density, MassRule::reference, false).mass;
   BedModel economy = paper_model(true, scene);
   economy.method = "leapfrog";
-  economy.mass_scaling = 6.5;
+  economy.mass_scaling = 7;
   economy.relaxation_steps = 1;
   // As `timestep auto` takes it.
   const PackingLaw law = {0.5 * economy.stiffness, damping_ratio, mass,

@@ -39,7 +39,7 @@ std::string integrator(const BedModel& model) {
       model.mass_scaling > 0 ? ", mass scaling " + number_text(model.mass_scaling) : "";
   const std::string relaxation =
       model.relaxation_steps > 0
-          ? ", dashpots relax in " + number_text(model.relaxation_steps) + " steps"
+          ? ", dashpots relax in " + number_text(model.relaxation_steps) + " Δt"
           : "";
   return model.method + scaling + relaxation +
          (model.method == "builtin" ? ""
