@@ -298,9 +298,13 @@ TEST(PlanarEngine, DashpotsMayBeginAndCeaseToRelaxInARestart) {
     const auto text = [&](const std::string& restart, bool relaxes) {
       return relaxes ? with_relaxation(deck_from(restart)) : deck_from(restart);
     };
-    Vars vars = {{"rods", "15"},     {"height", "0.08"}, {"steps", "9000"},
-                 {"every", "9000"},  {"order", "0"},     {"extra", "restart 9000 r.*"},
-                 {"style", "verlet"}};
+    Vars vars = {
+
+        {"steps", "30000"},
+        {"every", "30000"},
+        {"order", "0"},
+        {"extra", "restart 30000 r.*"},
+        {"style", "verlet/planar"}};
     const auto first = run_liggghts(text("", !begin), vars);
     ASSERT_EQ(first.exit_code, 0) << first.output;
     ASSERT_GT(last(first, "contacts", vars).rows(), 5u);
@@ -310,9 +314,9 @@ TEST(PlanarEngine, DashpotsMayBeginAndCeaseToRelaxInARestart) {
     std::vector<Table> ends;
     for (const char* style : {"verlet", "verlet/planar"}) {
       vars["style"] = style;
-      const auto rest = run_liggghts_in(first.folder, text("r.9000", begin), vars);
+      const auto rest = run_liggghts_in(first.folder, text("r.30000", begin), vars);
       ASSERT_EQ(rest.exit_code, 0) << rest.output;
-      ends.push_back(read_dump(first.folder / "bodies.9500.dump"));
+      ends.push_back(read_dump(first.folder / "bodies.30500.dump"));
     }
     for (const char* column : {"vx", "vy"})
       EXPECT_LT(difference(ends[0], ends[1], column, 0.1), 1e-9) << begin << column;

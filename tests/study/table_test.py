@@ -80,7 +80,8 @@ class Meaning(StudyTest):
                 value = "0.5"
             if name == "particle_diameter":
                 value = "4e-3"
-            table = self.read(f"cases:\n  rods: {{{name}: {value}}}\n")
+            needs = ", integrator: leapfrog" if name == "relaxation_steps" else ""
+            table = self.read(f"cases:\n  rods: {{{name}: {value}{needs}}}\n")
             self.assertIn(name, table.columns)
             self.assertEqual(str(table.cases[0].parameters[name]), value)
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What lies in the lanes of blocks: the spheres, and the histories of their contacts.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "../planar_simd/arguments.h"
 #include "blocks.h"
@@ -55,8 +57,8 @@ void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
     history.velocity[k] = k < slots_ ? of_lane[velocity(k)] : 0.0;
   history.viscoelastic = of_lane[planar_viscoelastic];
   history.earlier = extra_.earlier ? of_lane[earlier()] : 0.0;
-  history.relaxes = extra_.felt_velocity;
-  history.felt_velocity = extra_.felt_velocity ? of_lane[felt_velocity()] : 0.0;
+  history.relaxes = extra_.felt_velocity && !std::isnan(of_lane[felt_velocity()]);
+  history.felt_velocity = history.relaxes ? of_lane[felt_velocity()] : 0.0;
   history.touch_rate = cold.touch_rate[lane];
   history.since = cold.since[lane];
 }
@@ -80,7 +82,9 @@ void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state,
   for (int k = 0; k < slots_; ++k) of_lane[velocity(k, aged)] = history.velocity[k];
   of_lane[planar_viscoelastic] = history.viscoelastic;
   if (extra_.earlier) of_lane[earlier()] = history.earlier;
-  if (extra_.felt_velocity) of_lane[felt_velocity()] = history.felt_velocity;
+  if (extra_.felt_velocity)
+    of_lane[felt_velocity()] =
+        history.relaxes ? history.felt_velocity : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace rodpack
