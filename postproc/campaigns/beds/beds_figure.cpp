@@ -41,18 +41,26 @@ std::string y_axis(const Panel& panel) {
          panel.label + "' offset " + number_text(0.4 * digits) + ",0\n";
 }
 
-/// The curves' titles in a line above the panels. (A key there would displace the first panel's
-/// labels.)
+/// Lines that the titles of so many curves need.
+std::size_t title_lines(std::size_t curves) { return curves > 5 ? 2 : 1; }
+
+/// The titles of the curves that are drawn in a line or two above the panels. (A key there would
+/// displace the first panel's labels.)
 std::string titles(const std::vector<Curve>& curves) {
+  std::vector<const Curve*> drawn;
+  for (const Curve& curve : curves)
+    if (!curve.title.empty() && !curve.x.empty()) drawn.push_back(&curve);
+  const std::size_t lines = title_lines(drawn.size());
+  const std::size_t columns = (drawn.size() + lines - 1) / lines;
   std::string text;
-  const double each = 0.85 / static_cast<double>(curves.size());
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    if (!curves[i].title.empty())
-      text += "set label '" + curves[i].title + "' at screen " +
-              number_text(0.15 + each * static_cast<double>(i)) +
-              ",0.965 left offset 1,0 textcolor '" + curves[i].colour +
-              "' point pointsize 1.4 pointtype " + std::to_string(curves[i].point) +
-              " linecolor '" + curves[i].colour + "'\n";
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const double x = 0.15 + 0.85 * static_cast<double>(i % columns) / static_cast<double>(columns);
+    const double y = lines == 1 ? 0.965 : 0.968 - 0.038 * static_cast<double>(i / columns);
+    text += "set label '" + drawn[i]->title + "' at screen " + number_text(x) + "," +
+            number_text(y) + " left offset 1,0 textcolor '" + drawn[i]->colour +
+            "' point pointsize 1.4 pointtype " + std::to_string(drawn[i]->point) + " linecolor '" +
+            drawn[i]->colour + "'\n";
+  }
   return text;
 }
 
@@ -77,8 +85,9 @@ void draw_panels(const std::string& stem, const std::string& x_label, const std:
         y_axis(panel) + panel.settings + plot + "\nset key off\nunset label\nunset logscale y\n";
   }
   draw_figure(stem, 1.35,
-              blocks +
-                  "set multiplot layout 2,2 margins 0.15,0.985,0.14,0.925 spacing 0.18,0.17\n"
+              blocks + "set multiplot layout 2,2 margins 0.15,0.985,0.14," +
+                  (title_lines(panels.front().curves.size()) == 1 ? "0.925" : "0.895") +
+                  " spacing 0.18,0.17\n"
                   "set grid xtics ytics linecolor '#DDDDDD'\nset xlabel '" +
                   x_label + "' offset 0,0.3\n" + settings + "set key off\n" +
                   titles(panels.front().curves) + plots + "unset multiplot\n");
