@@ -54,8 +54,9 @@ std::string titles(const std::vector<Curve>& curves) {
   const std::size_t columns = (drawn.size() + lines - 1) / lines;
   std::string text;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const double x = 0.15 + 0.85 * static_cast<double>(i % columns) / static_cast<double>(columns);
-    const double y = lines == 1 ? 0.965 : 0.968 - 0.038 * static_cast<double>(i / columns);
+    const std::size_t line = i / columns, column = i % columns;
+    const double x = 0.15 + 0.85 * static_cast<double>(column) / static_cast<double>(columns);
+    const double y = lines == 1 ? 0.965 : 0.968 - 0.038 * static_cast<double>(line);
     text += "set label '" + drawn[i]->title + "' at screen " + number_text(x) + "," +
             number_text(y) + " left offset 1,0 textcolor '" + drawn[i]->colour +
             "' point pointsize 1.4 pointtype " + std::to_string(drawn[i]->point) + " linecolor '" +
