@@ -20,7 +20,6 @@
 #include "pair_gran.h"
 #include "planar_stop.h"
 #include "rodpack/contact/planar_history.h"
-#include "running_dashpots.h"
 #include "update.h"
 #include "wall_shape.h"
 
@@ -95,7 +94,6 @@ void PlanarContactTransfer::connect() {
       values_ != rodpack::stored_history_values(slots_) +
                      (has_total_cap_ ? rodpack::stored_cap_values : 0))
     refuse(lmp, "pair_style gran keeps other values in the history of contacts");
-  relaxation_ = LAMMPS_NS::dashpot_relaxation(lmp);
   walls_.clear();
   for (int k = 0; k < modify->n_fixes_style("wall/gran"); ++k) {
     FixWallGran* wall = static_cast<FixWallGran*>(modify->find_fix_style("wall/gran", k));

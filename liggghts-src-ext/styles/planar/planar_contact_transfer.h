@@ -30,8 +30,6 @@ class PlanarContactTransfer : protected Pointers {
   int slots() const { return slots_; }
   /// Whether friction is capped at mu times the whole normal force, by totalForceCap.
   bool has_total_cap() const { return has_total_cap_; }
-  /// The relaxation time of all dashpots, s; 0: none.
-  double dashpot_relaxation() const { return relaxation_; }
   /// Contact constants of each pair of atom types (row by row), and the walls.
   std::vector<rodpack::PlanarLaw> laws() const;
   std::vector<rodpack::PlanarWall> walls() const;
@@ -58,7 +56,6 @@ class PlanarContactTransfer : protected Pointers {
   int values_ = 0;  // in a contact's history
   int slots_ = 0;   // tangential velocities among them
   bool has_total_cap_ = false;
-  double relaxation_ = 0.0;
 };
 
 }  // namespace LAMMPS_NS

@@ -18,6 +18,7 @@
 #include "rodpack/geometry/order_by_place.h"
 #include "rodpack/planar/scene.h"
 #include "run_planar.h"
+#include "running_dashpots.h"
 #include "update.h"
 
 namespace LAMMPS_NS {
@@ -94,7 +95,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
   settings.slots = contacts_.slots();
   settings.events = bodies_->follows_events();
   settings.total_force_cap = contacts_.has_total_cap();
-  settings.dashpot_relaxation = contacts_.dashpot_relaxation();
+  settings.dashpot_relaxation = dashpot_relaxation(lmp);
   settings.mass_scaling = bodies_->mass_scaling();
   settings.types = atom->ntypes;
   settings.laws = contacts_.laws();

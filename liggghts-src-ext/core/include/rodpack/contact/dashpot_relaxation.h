@@ -22,9 +22,9 @@ inline double kept_in_step(double relaxation, double dt) {
 }
 
 /// Share of a dashpot's constant that the fastest motion of a network feels, one that changes its
-/// sign from step to step: u of v_n = (-1)^n is tanh(dt / (2 tau)) v. Under the leapfrog scheme it
-/// is the limit of the step that asks for this motion alone, and with it dashpots count so much as
-/// that (theory.md, "Dashpots with a relaxation time").
+/// sign from step to step: u of v_n = (-1)^n is tanh(dt / (2 tau)) v. That motion alone sets the
+/// limit of the step under leapfrog, so that dashpots count this much in it (theory.md, "Dashpots
+/// with a relaxation time").
 inline double share_in_fastest_motion(double relaxation, double dt) {
   return relaxation > 0.0 ? std::tanh(0.5 * dt / relaxation) : 1.0;
 }
