@@ -6,6 +6,7 @@
 
 #include "../planar_simd/arguments.h"
 #include "blocks.h"
+#include "rodpack/motion/mass_scaling.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {
@@ -20,6 +21,10 @@ void PlanarBlockPool::set_arguments(int part, PlanarForceArguments& forces) {
   forces.newest = velocity(0, true);
   forces.earlier = earlier();
   forces.felt_velocity = felt_velocity();
+  if (extra_.weights) {
+    forces.weight_i = weight_i();
+    forces.weight_j = weight_j();
+  }
   forces.slots = slots_;
   for (int k = 0; k < slots_; ++k) forces.velocity[k] = velocity(k);
 }
@@ -35,6 +40,18 @@ void PlanarBlockPool::set_spheres(int place, const PlanarSphere* of_i, const Pla
     of_place[planar_yi + lane] = a.y;
     of_place[planar_xj + lane] = b.x;
     of_place[planar_yj + lane] = b.y;
+  }
+}
+
+void PlanarBlockPool::set_weights(int place, const ContactWeight& of_i, const ContactWeight& of_j) {
+  double* const of_place = mutable_values(place);
+  for (int lane = 0; lane < planar_lanes; ++lane) {
+    const auto weight = [&](const ContactWeight& of, int row_x, int row_y) {
+      const double x = of_place[row_x + lane], y = of_place[row_y + lane];
+      return contact_weight(of, x * x + y * y);
+    };
+    of_place[weight_i() + lane] = weight(of_i, planar_xi, planar_yi);
+    of_place[weight_j() + lane] = weight(of_j, planar_xj, planar_yj);
   }
 }
 

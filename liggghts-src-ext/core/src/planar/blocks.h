@@ -17,6 +17,7 @@
 namespace rodpack {
 
 class PlanarDependencies;
+struct ContactWeight;
 struct PlanarForceArguments;
 struct PlanarSphere;
 
@@ -29,10 +30,10 @@ struct PlanarBlockColdData {
   bool just_touched[planar_lanes];
 };
 
-/// What a contact remembers beside what every one does: its normal force one evaluation before the
-/// last; what its normal dashpot felt in the last one.
+/// The numbers of a contact beside those that every one has: its normal force one evaluation before
+/// the last; what its normal dashpot felt in the last one; its weights of mass scaling.
 struct PlanarExtraRows {
-  bool earlier = false, felt_velocity = false;
+  bool earlier = false, felt_velocity = false, weights = false;
 };
 
 /// Blocks in groups, and an index of the blocks of each body. Places that no block has are holes,
@@ -97,6 +98,10 @@ class PlanarBlockPool {
   int earlier() const { return planar_velocities + slots_ * planar_row; }
   /// Offset of what the normal dashpot felt.
   int felt_velocity() const { return earlier() + (extra_.earlier ? planar_row : 0); }
+  /// Offset of the weights of the contacts for body i.
+  int weight_i() const { return felt_velocity() + (extra_.felt_velocity ? planar_row : 0); }
+  /// The same for body j.
+  int weight_j() const { return weight_i() + planar_row; }
   /// Makes the velocities so many steps older.
   void age(int steps) { front_ = newest_ = ring_index(-steps); }
   /// Until they age, velocities are counted from so many steps after the last one: a part of
@@ -118,6 +123,8 @@ class PlanarBlockPool {
   /// of body i and of body j, and the dashpots of their contacts.
   void set_spheres(int place, const PlanarSphere* of_i, const PlanarSphere* of_j,
                    const double (&gammas)[2]);
+  /// Sets the weights of the contacts of a block, whose spheres are set, for both of its bodies.
+  void set_weights(int place, const ContactWeight& of_i, const ContactWeight& of_j);
 
   /// Copies the state of the contact of a lane.
   void save(int place, int lane, PlanarLaneState& state) const;
@@ -132,7 +139,8 @@ class PlanarBlockPool {
     return group * rows() * planar_row + place % planar_group * planar_lanes;
   }
   int rows() const {
-    return planar_velocities / planar_row + slots_ + extra_.earlier + extra_.felt_velocity;
+    return planar_velocities / planar_row + slots_ + extra_.earlier + extra_.felt_velocity +
+           2 * extra_.weights;
   }
   int ring_index(int k) const { return ((newest_ + k) % slots_ + slots_) % slots_; }
 

@@ -55,7 +55,7 @@ void PlanarBodyStates::add(int body, const PlanarBody& from) {
     missed_velocity_[body].d[d] = from.missed_velocity[d];
   }
   inertia_[body].d[3] = from.mass;
-  if (settings_.mass_scaling > 0.0) weight_sums_[body] = from.contact_weight;
+  if (settings_.mass_scaling > 0.0) loads_[body].d[3] = from.contact_weight;
   const int part = parts_.of(body);
   missed_[part].push_back(body);
   if (from.evaluations == 0) newborn_[part].push_back(body);
@@ -120,7 +120,7 @@ PlanarBody PlanarBodyStates::state(int index, long step) const {
   PlanarBody body = present(index);
   body.evaluations = evaluations_[index];
   std::copy_n(loads_[index].d, 3, body.load);
-  if (settings_.mass_scaling > 0.0) body.contact_weight = weight_sums_[index];
+  if (settings_.mass_scaling > 0.0) body.contact_weight = loads_[index].d[3];
   std::copy_n(missed_displacement_[index].d, 3, body.missed_displacement);
   std::copy_n(missed_velocity_[index].d, 3, body.missed_velocity);
   for (int k = 0; k < settings_.order - 1; ++k) {
@@ -136,9 +136,7 @@ void PlanarBodyStates::resize(int bodies) {
   loads_.resize(bodies, PlanarVector());
   info_.resize(bodies, PlanarBodyInfo());
   tags_.resize(bodies, -1);
-  if (!(settings_.mass_scaling > 0.0)) return;
-  weights_.resize(bodies, ContactWeight());
-  weight_sums_.resize(bodies, 0.0);
+  if (settings_.mass_scaling > 0.0) weights_.resize(bodies, ContactWeight());
 }
 
 void PlanarBodyStates::forget_ghost_spheres() {

@@ -47,6 +47,8 @@ class PlanarBodyStates {
   double longest_reach() const;
   /// Displacement in a step, at its present speed, of the point of the body that moves fastest, m.
   double step_displacement(int body) const;
+  /// Of a contact of the body, for its inertia; with mass scaling alone.
+  const ContactWeight& weight(int body) const { return weights_[body]; }
   /// Whether body i is the first of the two in a block; the same on every rank.
   bool comes_first(int i, int j) const { return tags_[i] < tags_[j]; }
   /// Constants, position and velocity of a body, ghosts too.
@@ -73,7 +75,7 @@ class PlanarBodyStates {
   /// Counts a contact of a body at the offset `offset` (m, in its frame) of one of its spheres.
   void add_contact(int body, const double (&offset)[2]) {
     if (settings_.mass_scaling > 0.0)
-      weight_sums_[body] +=
+      loads_[body].d[3] +=
           contact_weight(weights_[body], offset[0] * offset[0] + offset[1] * offset[1]);
   }
   /// Adds a force, N, and a torque about the centre of mass, N m, to the load on a body.
@@ -113,13 +115,11 @@ class PlanarBodyStates {
   const PlanarSettings& settings_;
   const PlanarParts parts_;
   AlignedVector<PlanarKinematics> kinematics_;
-  AlignedVector<PlanarVector> loads_;
+  AlignedVector<PlanarVector> loads_;    // with mass scaling, the fourth: its contacts' weights
   AlignedVector<PlanarVector> inertia_;  // 1/mass, 1/mass, 1/moment (0 if prescribed), mass
   AlignedVector<PlanarVector> past_velocity_[max_multistep_order - 1];
   AlignedVector<PlanarVector> past_acceleration_[max_multistep_order - 1];
-  // With mass scaling alone: the weight of a contact of each body, and the sum over its contacts.
-  std::vector<ContactWeight> weights_;
-  std::vector<double> weight_sums_;
+  std::vector<ContactWeight> weights_;  // of a contact of each body, with mass scaling alone
   std::vector<std::int8_t> evaluations_;
   AlignedVector<PlanarVector> missed_displacement_, missed_velocity_;
   std::vector<std::vector<int>> missed_;   // bodies of each part with missed motion

@@ -25,7 +25,7 @@ void PlanarBodyStates::make_missed_motion(int body) {
 
 double PlanarBodyStates::answer(int body) const {
   if (!(settings_.mass_scaling > 0.0)) return 1.0;
-  return 1.0 / inertia_factor(weight_sums_[body], settings_.mass_scaling);
+  return 1.0 / inertia_factor(loads_[body].d[3], settings_.mass_scaling);
 }
 
 /// Gives a body that has not moved yet the past of constant acceleration that
@@ -68,10 +68,8 @@ PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
   arguments.loads = loads_.data();
   arguments.gravity = {{settings_.gravity[0], settings_.gravity[1], 0.0, 0.0}};
   arguments.inertia = inertia_.data();
-  if (settings_.mass_scaling > 0.0) {
-    arguments.weight_sums = weight_sums_.data();
+  if (settings_.mass_scaling > 0.0)
     arguments.inverse_square_scaling = 1.0 / (settings_.mass_scaling * settings_.mass_scaling);
-  }
   for (int k = 0; k < order - 1; ++k) {
     arguments.past_velocity[k] = past_velocity_[past(k, step)].data();
     arguments.past_acceleration[k] = past_acceleration_[past(k, step)].data();
@@ -90,14 +88,10 @@ PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
 void PlanarBodyStates::set_arguments(PlanarForceArguments& arguments) {
   arguments.kinematics = kinematics_.data();
   arguments.loads = loads_.data();
-  if (!(settings_.mass_scaling > 0.0)) return;
-  arguments.weights = weights_.data();
-  arguments.weight_sums = weight_sums_.data();
 }
 
 void PlanarBodyStates::begin_loads() {
   std::fill(loads_.begin(), loads_.end(), PlanarVector());
-  std::fill(weight_sums_.begin(), weight_sums_.end(), 0.0);
   for (int b = 0; b < owned(); ++b)
     for (int d = 0; d < 2; ++d) loads_[b].d[d] = inertia_[b].d[3] * settings_.gravity[d];
 }

@@ -299,6 +299,8 @@ void PlanarNeighbours::add_blocks(int i, int j) {
     dependencies_.add_contact(i, j, pool.part_of(place));
     pool.set_spheres(place, bodies_.spheres(i), j < 0 ? &on_wall : bodies_.spheres(j),
                      of_both.gamma);
+    if (settings_.mass_scaling > 0.0)
+      pool.set_weights(place, bodies_.weight(i), j < 0 ? ContactWeight() : bodies_.weight(j));
   }
 }
 

@@ -156,7 +156,7 @@ PlanarScene::Data::Data(const PlanarSettings& given, const std::vector<PlanarBod
       kernel(planar_kernel(given.instructions, given.total_force_cap)),
       bodies(settings, parts, all),
       blocks(bodies.size(), slots_of(given),
-             {given.total_force_cap, given.dashpot_relaxation > 0.0}),
+             {given.total_force_cap, given.dashpot_relaxation > 0.0, given.mass_scaling > 0.0}),
       events(parts),
       dependencies(parts),
       neighbours(settings, bodies, parts, blocks, dependencies),

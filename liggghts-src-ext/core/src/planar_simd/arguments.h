@@ -9,7 +9,6 @@
 #include "kinematics.h"
 #include "range.h"
 #include "rodpack/contact/planar_jump.h"
-#include "rodpack/motion/contact_weight.h"
 #include "rodpack/motion/multistep.h"
 #include "rodpack/planar/instructions.h"
 
@@ -19,7 +18,8 @@ namespace rodpack {
 // compiled for one set of processor instructions each, and a member function or template that they
 // compiled with it could take the place of everybody's.
 
-/// A vector with components along x, along y and about z; the fourth, unused, fills the register.
+/// A vector with components along x, along y and about z; the fourth fills the register, and is
+/// unused but where a comment says so.
 struct alignas(32) PlanarVector {
   double d[4];
 };
@@ -57,13 +57,11 @@ struct PlanarForceArguments {
   int newest;                         // offset of the tangential velocity of this step
   int earlier;                        // of the normal force two steps back, under a WholeLoad
   int felt_velocity;                  // of what the normal dashpot felt, if kept > 0
+  int weight_i, weight_j;             // of the contacts' weights; 0 without mass scaling
   // Bodies.
   const PlanarKinematics* kinematics;
   const double* moved;  // since their reference position, an upper bound, m
-  PlanarVector* loads;  // the forces are added to them
-  // Weights of a contact of each body, and what they are added to; null without mass scaling.
-  const ContactWeight* weights;
-  double* weight_sums;
+  PlanarVector* loads;  // the forces are added to them, with mass scaling the weights to the fourth
   // Whether a body had an event in the step before (null: none had), and what it did to its motion;
   // what changes in this step, and by how much.
   const std::uint8_t* jumped;
@@ -91,17 +89,11 @@ struct PlanarReference {
   double skin;   // m
 };
 
-// Where registers find pairs of numbers in these structures, counted in doubles.
+// Where registers find four numbers of a body, counted in doubles.
 constexpr int doubles_before(std::size_t bytes) { return static_cast<int>(bytes / sizeof(double)); }
 enum PlanarOffset {
-  body_position = doubles_before(offsetof(PlanarKinematics, x)),   // and y
-  body_turn = doubles_before(offsetof(PlanarKinematics, cosine)),  // and sine
-  body_velocity = doubles_before(offsetof(PlanarKinematics, velocity)),
-  body_spin = body_velocity + 2,                                            // and radius
-  law_stiffnesses = doubles_before(offsetof(PlanarLawConstants, kn)),       // and kt
-  law_friction = doubles_before(offsetof(PlanarLawConstants, inverse_kt)),  // and friction
-  wall_direction = doubles_before(offsetof(PlanarWallLine, along_x)),       // and along_y
-  wall_position = doubles_before(offsetof(PlanarWallLine, position))        // and free_side
+  body_pose = doubles_before(offsetof(PlanarKinematics, x)),          // y, cosine and sine
+  body_motion = doubles_before(offsetof(PlanarKinematics, velocity))  // and radius
 };
 static_assert(offsetof(PlanarLawConstants, kn) == 0 && offsetof(PlanarLawConstants, kt) == 8 &&
                   offsetof(PlanarLawConstants, inverse_kt) == 16 &&
@@ -111,8 +103,6 @@ static_assert(offsetof(PlanarWallLine, along_x) == 0 && offsetof(PlanarWallLine,
                   offsetof(PlanarWallLine, position) == 16 &&
                   offsetof(PlanarWallLine, free_side) == 24,
               "kernel_bodies.h reads walls as four doubles in this order");
-static_assert(offsetof(ContactWeight, base) == 0 && offsetof(ContactWeight, per_square) == 8,
-              "kernel.h reads weights as two doubles in this order");
 static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, alive) &&
                   offsetof(PlanarBlockHead, used) + 2 == offsetof(PlanarBlockHead, full_history) &&
                   offsetof(PlanarBlockHead, used) + 3 == offsetof(PlanarBlockHead, sliding),
@@ -133,11 +123,12 @@ struct PlanarAdvanceArguments {
   bool leapfrog;       // positions follow from the velocities after the step
   double dt;
   PlanarKinematics* kinematics;
-  PlanarVector* loads;   // become the weights, to which the forces of the next step are added
-  PlanarVector gravity;  // m/s^2
-  const PlanarVector* inertia;  // 1/mass, 1/mass, 1/moment, mass
-  double* weight_sums;          // of the contacts of each body, become 0; null without mass scaling
-  double inverse_square_scaling;  // 1/S^2 of mass_scaling.h
+  // Become the bodies' weights, to which the forces of the next step are added; the fourth, the
+  // contacts' weights of mass scaling, becomes 0.
+  PlanarVector* loads;
+  PlanarVector gravity;           // m/s^2
+  const PlanarVector* inertia;    // 1/mass, 1/mass, 1/moment, mass
+  double inverse_square_scaling;  // 1/S^2 of mass_scaling.h; 0: none
   PlanarVector *past_velocity[max_multistep_order], *past_acceleration[max_multistep_order];
   signed char* evaluations;
   double velocity_weights[max_multistep_order];

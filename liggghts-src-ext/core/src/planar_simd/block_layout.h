@@ -46,8 +46,8 @@ enum PlanarBlockValue {
   // Behind the velocities, under the cap of the whole normal force alone: the normal force before
   // its cut-off one evaluation before the last, N. Behind that, with a relaxation time of dashpots
   // alone: what the normal one felt, m/s; NaN where it has felt nothing yet, which the SIMD loops
-  // do
-  // not look at.
+  // do not look at. Last, with mass scaling alone: the weights of the contact for body i and for
+  // body j (mass_scaling.h).
 };
 
 /// Constants of the contacts of two types. friction: of the cap (friction_cap.h), mu k_n (N/m) or

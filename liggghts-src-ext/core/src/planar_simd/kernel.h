@@ -69,8 +69,8 @@ inline void set_constants(int first, const double* values, const PlanarForceArgu
     const double* laws[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b)
       laws[b] = reinterpret_cast<const double*>(&forces.laws[forces.block_laws[first + b]]);
-    each_two(laws, law_stiffnesses, contact.normal_stiffness, contact.tangential_stiffness);
-    each_two(laws, law_friction, contact.inverse_stiffness.inverse, contact.friction);
+    each_four(laws, 0, contact.normal_stiffness, contact.tangential_stiffness,
+              contact.inverse_stiffness.inverse, contact.friction);
   }
 }
 
@@ -136,13 +136,20 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   return result;
 }
 
-/// Vectors from the centres of bodies to those of their spheres, at the offsets x and y in the
-/// frames of the bodies.
-inline Vector2<Lanes> arms_of(const double* x, const double* y, BlockConstants& body) {
-  const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)};
+/// How the bodies on a side of the contacts in a register are placed and move, and where the
+/// centres of their spheres are, from those of the bodies.
+struct LaneBody {
+  Lanes x, y, velocity_x, velocity_y, spin, radius;
+  Vector2<Lanes> arm;
+};
+/// `offset_x`, `offset_y`: of the spheres, in the frames of the bodies.
+inline LaneBody bodies_of(BlockConstants& body, const double* offset_x, const double* offset_y) {
+  LaneBody of;
   Lanes cosine, sine;
-  each_two(body, body_turn, cosine, sine);
-  return turned(cosine, sine, offset);
+  each_four(body, body_pose, of.x, of.y, cosine, sine);
+  each_four(body, body_motion, of.velocity_x, of.velocity_y, of.spin, of.radius);
+  of.arm = turned<Lanes>(cosine, sine, {load_lanes(offset_x), load_lanes(offset_y)});
+  return of;
 }
 
 /// The bits of PlanarBlockHead, with the lanes of the blocks side by side. full_history: lanes
@@ -165,21 +172,21 @@ inline void set_sliding(PlanarBlockHead* heads, int sliding) {
     heads[b].sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & all_of_block);
 }
 
-/// Sums up the weights of the contacts `acts` of a register, for one of the two bodies of each
-/// block, in whose frame the spheres lie at x and y.
-inline void add_weights(int acts, const double* x, const double* y, const int (&body)[lane_blocks],
-                        const PlanarForceArguments& forces) {
-  const double* weights[lane_blocks];
-  for (int b = 0; b < lane_blocks; ++b) weights[b] = &forces.weights[body[b]].base;
-  Lanes base, per_square;
-  each_two(weights, 0, base, per_square);
-  const Lanes along = load_lanes(x), across = load_lanes(y);
-  alignas(64) double each[lane_blocks * planar_lanes];
-  store_lanes(
-      each, lane_choice(lanes_of_bits(acts), base + per_square * (along * along + across * across),
-                        all_lanes(0.0)));
-  for (int b = 0; b < lane_blocks; ++b)
-    forces.weight_sums[body[b]] += each[planar_lanes * b] + each[planar_lanes * b + 1];
+/// Adds the forces `on_i` of the contacts in a register, and the weights of those that act, to the
+/// loads on their bodies.
+inline void add_forces(const LaneMotion& motion, Vector2<Lanes> on_i, int acts,
+                       const double* values, double* const (&load_i)[lane_blocks],
+                       double* const (&load_j)[lane_blocks], const PlanarForceArguments& forces) {
+  const Lanes about_i = cross_z(motion.lever_i, on_i), about_j = cross_z(motion.lever_j, on_i);
+  if (forces.weight_i == 0) {
+    add_loads(on_i.x, on_i.y, about_i, about_j, load_i, load_j);
+    return;
+  }
+  const Lanes zero = all_lanes(0.0);
+  const LaneMask act = lanes_of_bits(acts);
+  const Lanes weight_i = lane_choice(act, load_lanes(values + forces.weight_i), zero),
+              weight_j = lane_choice(act, load_lanes(values + forces.weight_j), zero);
+  add_weighted_loads(on_i.x, on_i.y, about_i, about_j, weight_i, weight_j, load_i, load_j);
 }
 
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
@@ -194,15 +201,10 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
     body_i[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
     body_j[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].j]);
   }
-  const Vector2<Lanes> arm_i = arms_of(values + planar_xi, values + planar_yi, body_i);
-  const Vector2<Lanes> arm_j = arms_of(values + planar_xj, values + planar_yj, body_j);
-  Lanes xi, yi, xj, yj, wi, wj, radius_i, radius_j;
-  each_two(body_i, body_position, xi, yi);
-  each_two(body_j, body_position, xj, yj);
-  each_two(body_i, body_spin, wi, radius_i);
-  each_two(body_j, body_spin, wj, radius_j);
-  const Lanes dx = (xi - xj) + (arm_i.x - arm_j.x), dy = (yi - yj) + (arm_i.y - arm_j.y);
-  const Lanes square = dx * dx + dy * dy, reach = radius_i + radius_j;
+  const LaneBody i = bodies_of(body_i, values + planar_xi, values + planar_yi);
+  const LaneBody j = bodies_of(body_j, values + planar_xj, values + planar_yj);
+  const Lanes dx = (i.x - j.x) + (i.arm.x - j.arm.x), dy = (i.y - j.y) + (i.arm.y - j.arm.y);
+  const Lanes square = dx * dx + dy * dy, reach = i.radius + j.radius;
   const LaneFlags flags = flags_of(heads);
   const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used;
   const int here = touching | flags.alive;
@@ -216,16 +218,13 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   LaneMotion motion;
   motion.normal = {dx * inverse, dy * inverse};
   motion.overlap = reach - r;
-  motion.length_i = lever_length(radius_i, motion.overlap);
-  motion.length_j = lever_length(radius_j, motion.overlap);
-  motion.lever_i = lever_in_plane(arm_i, motion.length_i, motion.normal);
-  motion.lever_j = lever_in_plane(arm_j, -motion.length_j, motion.normal);
-  Lanes vxi, vyi, vxj, vyj;
-  each_two(body_i, body_velocity, vxi, vyi);
-  each_two(body_j, body_velocity, vxj, vyj);
-  const Vector2<Lanes> of_centres = {vxi - vxj, vyi - vyj};
-  set_velocities(motion,
-                 velocity_at(velocity_at(of_centres, wi, motion.lever_i), -wj, motion.lever_j));
+  motion.length_i = lever_length(i.radius, motion.overlap);
+  motion.length_j = lever_length(j.radius, motion.overlap);
+  motion.lever_i = lever_in_plane(i.arm, motion.length_i, motion.normal);
+  motion.lever_j = lever_in_plane(j.arm, -motion.length_j, motion.normal);
+  const Vector2<Lanes> of_centres = {i.velocity_x - j.velocity_x, i.velocity_y - j.velocity_y};
+  set_velocities(motion, velocity_at(velocity_at(of_centres, i.spin, motion.lever_i), -j.spin,
+                                     motion.lever_j));
   int sliding = flags.sliding;
   const Jumps jumps = Jumps::of(heads, values, motion, forces);
   const LaneForces force =
@@ -236,20 +235,10 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
     load_i[b] = forces.loads[heads[b].i].d;
     load_j[b] = forces.loads[heads[b].j].d;
   }
-  const Vector2<Lanes> on_i = in_space(motion.normal, force.normal, force.tangential);
-  add_loads(on_i.x, on_i.y, cross_z(motion.lever_i, on_i), cross_z(motion.lever_j, on_i), load_i,
-            load_j);
-  report_jumps(heads, motion, {of_centres, arm_i, arm_j, wi, wj, inverse}, values, force, jumps,
-               forces);
-  if (forces.weights) {
-    int i[lane_blocks], j[lane_blocks];
-    for (int b = 0; b < lane_blocks; ++b) {
-      i[b] = heads[b].i;
-      j[b] = heads[b].j;
-    }
-    add_weights(force.acts, values + planar_xi, values + planar_yi, i, forces);
-    add_weights(force.acts, values + planar_xj, values + planar_yj, j, forces);
-  }
+  add_forces(motion, in_space(motion.normal, force.normal, force.tangential), force.acts, values,
+             load_i, load_j, forces);
+  report_jumps(heads, motion, {of_centres, i.arm, j.arm, i.spin, j.spin, inverse}, values, force,
+               jumps, forces);
   return general | force.general;
 }
 

@@ -12,18 +12,15 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
     body[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
     wall[b] = reinterpret_cast<const double*>(&forces.walls[-1 - heads[b].j]);
   }
-  const Vector2<Lanes> arm = arms_of(values + planar_xi, values + planar_yi, body);
-  Lanes x, y, spin, radius, along_x, along_y, position, free_side;
-  each_two(body, body_position, x, y);
-  each_two(body, body_spin, spin, radius);
-  each_two(wall, wall_direction, along_x, along_y);
-  each_two(wall, wall_position, position, free_side);
-  const Lanes distance = (x + arm.x) * along_x + (y + arm.y) * along_y - position;
+  const LaneBody i = bodies_of(body, values + planar_xi, values + planar_yi);
+  Lanes along_x, along_y, position, free_side;
+  each_four(wall, 0, along_x, along_y, position, free_side);
+  const Lanes distance = (i.x + i.arm.x) * along_x + (i.y + i.arm.y) * along_y - position;
   const Lanes zero = all_lanes(0.0);
   const Lanes own_side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
   const Lanes side = lane_choice(lane_less(zero, free_side * free_side), free_side, own_side);
   const LaneFlags flags = flags_of(heads);
-  const int touching = ~lane_bits(lane_less(radius, distance * side)) & flags.used;
+  const int touching = ~lane_bits(lane_less(i.radius, distance * side)) & flags.used;
   const int here = touching | flags.alive;
   if (here == 0) return 0;
   const int lasting = touching & flags.full_history;
@@ -33,35 +30,28 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   const Vector2<Lanes> still = {zero, zero};
   LaneMotion motion;
   motion.normal = {along_x * side, along_y * side};
-  motion.overlap = radius - distance * side;
-  motion.length_i = lever_length(radius, motion.overlap);
+  motion.overlap = i.radius - distance * side;
+  motion.length_i = lever_length(i.radius, motion.overlap);
   motion.length_j = zero;
-  motion.lever_i = lever_in_plane(arm, motion.length_i, motion.normal);
+  motion.lever_i = lever_in_plane(i.arm, motion.length_i, motion.normal);
   motion.lever_j = still;
-  Lanes vx, vy;
-  each_two(body, body_velocity, vx, vy);
-  const Vector2<Lanes> of_centre = {vx, vy};
-  set_velocities(motion, velocity_at(of_centre, spin, motion.lever_i));
+  const Vector2<Lanes> of_centre = {i.velocity_x, i.velocity_y};
+  set_velocities(motion, velocity_at(of_centre, i.spin, motion.lever_i));
   int sliding = flags.sliding;
   const Jumps jumps = Jumps::of(heads, values, motion, forces);
   const LaneForces force =
       lasting_forces<Load>(first, values, motion, lasting, sliding, jumps, forces);
   set_sliding(heads, sliding);
-  const Vector2<Lanes> on_body = in_space(motion.normal, force.normal, force.tangential);
   alignas(64) PlanarVector on_walls = PlanarVector();
   double *load[lane_blocks], *load_of_wall[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
     load[b] = forces.loads[heads[b].i].d;
     load_of_wall[b] = on_walls.d;
   }
-  add_loads(on_body.x, on_body.y, cross_z(motion.lever_i, on_body), zero, load, load_of_wall);
-  report_jumps(heads, motion, {of_centre, arm, still, spin, zero, zero}, values, force, jumps,
+  add_forces(motion, in_space(motion.normal, force.normal, force.tangential), force.acts, values,
+             load, load_of_wall, forces);
+  report_jumps(heads, motion, {of_centre, i.arm, still, i.spin, zero, zero}, values, force, jumps,
                forces);
-  if (forces.weights) {
-    int i[lane_blocks];
-    for (int b = 0; b < lane_blocks; ++b) i[b] = heads[b].i;
-    add_weights(force.acts, values + planar_xi, values + planar_yi, i, forces);
-  }
   return general | force.general;
 }
 
@@ -89,11 +79,8 @@ inline Lanes advance_velocity(const PlanarAdvanceArguments& arguments, int body,
   const Lanes v = load_lanes(velocity);
   const double* const inertia = arguments.inertia[body].d;
   Lanes a = load_lanes(load) * load_lanes(inertia);
-  if (arguments.weight_sums) {
-    const double factor = arguments.weight_sums[body] * arguments.inverse_square_scaling;
-    if (factor > 1.0) a = (1.0 / factor) * a;
-    arguments.weight_sums[body] = 0.0;
-  }
+  const double factor = load[3] * arguments.inverse_square_scaling;
+  if (factor > 1.0) a = (1.0 / factor) * a;
   store_lanes(load, all_lanes(inertia[3]) * load_lanes(arguments.gravity.d));
   Lanes dx = arguments.velocity_weights[0] * v, dv = of_force[0] * a;
   for (int k = 0; k < order - 1; ++k) {

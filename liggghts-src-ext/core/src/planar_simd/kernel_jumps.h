@@ -21,12 +21,9 @@ struct SideJump {
 inline SideJump side_jump(BlockConstants& of, const double* x, const double* y, Lanes length,
                           Vector2<Lanes> normal) {
   Lanes ax, ay, aw, vx, vy, vw, dx, dy, dw, cosine, sine, none;
-  each_two(of, 0, ax, ay);
-  each_two(of, 2, aw, vx);
-  each_two(of, 4, vy, vw);
-  each_two(of, 6, dx, dy);
-  each_two(of, 8, dw, cosine);
-  each_two(of, 10, sine, none);
+  each_four(of, 0, ax, ay, aw, vx);
+  each_four(of, 4, vy, vw, dx, dy);
+  each_four(of, 8, dw, cosine, sine, none);
   const Vector2<Lanes> offset = {load_lanes(x), load_lanes(y)}, a = {ax, ay}, v = {vx, vy},
                        d = {dx, dy};
   const Vector2<Lanes> lever = lever_in_plane(turned(cosine, sine, offset), length, normal);

@@ -58,6 +58,13 @@ inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& f
   first = (Lanes)_mm256_movedup_pd(both);
   second = (Lanes)_mm256_permute_pd(both, 0b1111);
 }
+/// The same of four numbers.
+inline void each_four(const double* const (&of)[lane_blocks], int index, Lanes& first,
+                      Lanes& second, Lanes& third, Lanes& fourth) {
+  each_two(of, index, first, second);
+  each_two(of, index + 2, third, fourth);
+}
+
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.
 inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],
@@ -70,5 +77,20 @@ inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[
     _mm256_store_pd(on_i[k], _mm256_add_pd(_mm256_load_pd(on_i[k]), of[k]));
     _mm256_store_pd(on_j[k],
                     _mm256_sub_pd(_mm256_load_pd(on_j[k]), _mm256_permute_pd(of[k], 0b1110)));
+  }
+}
+/// The same with last values: the sums of weight_i and weight_j are added to them.
+inline void add_weighted_loads(Lanes a, Lanes b, Lanes c, Lanes d, Lanes weight_i, Lanes weight_j,
+                               double* const (&on_i)[lane_blocks],
+                               double* const (&on_j)[lane_blocks]) {
+  const __m256d ab = _mm256_hadd_pd((__m256d)a, (__m256d)b);
+  const __m256d of_i = _mm256_hadd_pd((__m256d)c, (__m256d)weight_i),
+                of_j = _mm256_hadd_pd((__m256d)d, (__m256d)-weight_j);
+  const __m256d on_both[2][2] = {
+      {_mm256_permute2f128_pd(ab, of_i, 0x20), _mm256_permute2f128_pd(ab, of_j, 0x20)},
+      {_mm256_permute2f128_pd(ab, of_i, 0x31), _mm256_permute2f128_pd(ab, of_j, 0x31)}};
+  for (int k = 0; k < 2; ++k) {
+    _mm256_store_pd(on_i[k], _mm256_add_pd(_mm256_load_pd(on_i[k]), on_both[k][0]));
+    _mm256_store_pd(on_j[k], _mm256_sub_pd(_mm256_load_pd(on_j[k]), on_both[k][1]));
   }
 }

@@ -98,15 +98,24 @@ inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& f
   first = {of[0][index], of[0][index], of[1][index], of[1][index]};
   second = {of[0][index + 1], of[0][index + 1], of[1][index + 1], of[1][index + 1]};
 }
+/// The same of four numbers.
+inline void each_four(const double* const (&of)[lane_blocks], int index, Lanes& first,
+                      Lanes& second, Lanes& third, Lanes& fourth) {
+  each_two(of, index, first, second);
+  each_two(of, index + 2, third, fourth);
+}
+
+/// The sums of x and y over the lanes of a block.
+inline HalfLanes sums_of_lanes(HalfLanes x, HalfLanes y) {
+  return HalfLanes{x[0], y[0]} + HalfLanes{x[1], y[1]};
+}
+
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.
 inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[lane_blocks],
                       double* const (&on_j)[lane_blocks]) {
-  const auto sums = [](HalfLanes x, HalfLanes y) {
-    return HalfLanes{x[0], y[0]} + HalfLanes{x[1], y[1]};
-  };
-  const HalfLanes force[2] = {sums(a.low, b.low), sums(a.high, b.high)};
-  const HalfLanes torque[2] = {sums(c.low, d.low), sums(c.high, d.high)};
+  const HalfLanes force[2] = {sums_of_lanes(a.low, b.low), sums_of_lanes(a.high, b.high)};
+  const HalfLanes torque[2] = {sums_of_lanes(c.low, d.low), sums_of_lanes(c.high, d.high)};
   for (int k = 0; k < 2; ++k) {  // the two may act on the same body
     HalfLanes* const i = reinterpret_cast<HalfLanes*>(on_i[k]);
     i[0] += force[k];
@@ -114,5 +123,23 @@ inline void add_loads(Lanes a, Lanes b, Lanes c, Lanes d, double* const (&on_i)[
     HalfLanes* const j = reinterpret_cast<HalfLanes*>(on_j[k]);
     j[0] -= force[k];
     j[1] -= HalfLanes{torque[k][1], torque[k][1]};
+  }
+}
+/// The same with last values: the sums of weight_i and weight_j are added to them.
+inline void add_weighted_loads(Lanes a, Lanes b, Lanes c, Lanes d, Lanes weight_i, Lanes weight_j,
+                               double* const (&on_i)[lane_blocks],
+                               double* const (&on_j)[lane_blocks]) {
+  const HalfLanes force[2] = {sums_of_lanes(a.low, b.low), sums_of_lanes(a.high, b.high)};
+  const HalfLanes of_i[2] = {sums_of_lanes(c.low, weight_i.low),
+                             sums_of_lanes(c.high, weight_i.high)};
+  const HalfLanes of_j[2] = {sums_of_lanes(d.low, -weight_j.low),
+                             sums_of_lanes(d.high, -weight_j.high)};
+  for (int k = 0; k < 2; ++k) {
+    HalfLanes* const i = reinterpret_cast<HalfLanes*>(on_i[k]);
+    i[0] += force[k];
+    i[1] += of_i[k];
+    HalfLanes* const j = reinterpret_cast<HalfLanes*>(on_j[k]);
+    j[0] -= force[k];
+    j[1] -= of_j[k];
   }
 }

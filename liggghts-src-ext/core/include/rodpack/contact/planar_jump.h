@@ -15,7 +15,7 @@ struct alignas(16) PlanarJump {
 static_assert(offsetof(PlanarJump, acceleration) == 0 && offsetof(PlanarJump, velocity) == 24 &&
                   offsetof(PlanarJump, displacement) == 48 && offsetof(PlanarJump, cosine) == 72 &&
                   offsetof(PlanarJump, sine) == 80 && sizeof(PlanarJump) == 96,
-              "kernel_jumps.h reads jumps two doubles at a time, in this order");
+              "kernel_jumps.h reads jumps four doubles at a time, in this order");
 
 }  // namespace rodpack
 

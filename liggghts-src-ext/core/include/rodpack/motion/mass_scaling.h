@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "contact_weight.h"
-
 namespace rodpack {
 
 // Selective mass scaling. A body of a bed is held by many contacts and oscillates faster than a
@@ -26,6 +24,12 @@ namespace rodpack {
 //   (e . r x n)^2 + kappa |(e . r x t)|^2 <= a^2 + R^2,
 // since the lever r of the contact is longer than that of the centre along n alone.
 // SI units.
+
+/// Weight of a contact of a body in planar motion with a sphere of its: base + per_square times the
+/// square of the distance of the sphere's centre from the centre of mass, m.
+struct ContactWeight {
+  double base, per_square;
+};
 
 /// Weight of a contact of which the sphere's centre lies as far as the root of `square`, m^2, from
 /// the centre of mass.
