@@ -52,15 +52,17 @@ void expect_all_rooms(const std::set<fs::path>& folders, const Rules& rules) {
 }
 
 TEST(Rooms, DependenciesOfTheCorePointOneWay) {
-  // The loops for one kind of processor and the ghosts of other ranks are rooms of the engine.
-  const std::set<std::string> of_engine = {"planar",  "planar_simd", "planar_ranks",
-                                           "contact", "motion",      "geometry"};
+  // Neighbour lists, the loops for one kind of processor and the ghosts of other ranks are rooms of
+  // the engine.
+  const std::set<std::string> of_engine = {"planar",  "planar_lists", "planar_ranks", "planar_simd",
+                                           "contact", "motion",       "geometry"};
   const Rules rules = {{"geometry", {}},
                        {"dumps", {}},
                        {"motion", {"geometry"}},
                        {"contact", {"motion", "geometry"}},
                        {"averaging", {"contact", "geometry"}},
                        {"planar", of_engine},
+                       {"planar_lists", of_engine},
                        {"planar_ranks", of_engine},
                        {"planar_simd", of_engine}};
   const fs::path headers = core / "include" / "rodpack", sources = core / "src";
@@ -145,7 +147,7 @@ TEST(Rooms, OnlyTheSceneSeesAllPartsOfTheEngine) {
   const std::set<std::string> parts = {"bodies",          "blocks", "events", "neighbours",
                                        "force_evaluator", "ghosts", "halo",   "pipeline"};
   std::set<std::string> with_all;
-  for (const char* room : {"planar", "planar_ranks", "planar_simd"})
+  for (const char* room : {"planar", "planar_lists", "planar_ranks", "planar_simd"})
     for (const auto& file : sources_below(core / "src" / room)) {
       const auto seen = engine_headers_of(file);
       if (std::includes(seen.begin(), seen.end(), parts.begin(), parts.end()))

@@ -10,7 +10,7 @@
 #include "heap.h"
 #include "planar/events.h"
 #include "planar/blocks.h"
-#include "planar/neighbours.h"
+#include "planar_lists/neighbours.h"
 
 namespace rodpack {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which pairs of spheres become candidates for a contact, and the gap that they are told to have.
-#include "planar/candidates.h"
+#include "planar_lists/candidates.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 
 #include "heap.h"
 #include "planar/bodies.h"
-#include "planar/neighbours.h"
+#include "planar_lists/neighbours.h"
 
 namespace rodpack {
 namespace {

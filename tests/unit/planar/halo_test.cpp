@@ -13,7 +13,7 @@
 #include "planar/events.h"
 #include "planar_ranks/ghosts.h"
 #include "planar_ranks/halo_messages.h"
-#include "planar/neighbours.h"
+#include "planar_lists/neighbours.h"
 
 namespace rodpack {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Neighbour lists of single bodies: which sphere pairs are in them, and when they are made anew.
-#include "planar/neighbours.h"
+#include "planar_lists/neighbours.h"
 
 #include <gtest/gtest.h>
 

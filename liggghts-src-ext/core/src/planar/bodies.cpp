@@ -91,10 +91,10 @@ double PlanarBodyStates::longest_reach() const {
   return longest;
 }
 
-double PlanarBodyStates::step_displacement(int body) const {
-  const double* v = kinematics_[body].velocity;
-  const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1]) + info_[body].reach * std::fabs(v[2]);
-  return speed * settings_.dt;
+double PlanarBodyStates::step_displacement(int body, double x, double y) const {
+  const double* const v = kinematics_[body].velocity;
+  const double dx = settings_.dt * v[0] - x, dy = settings_.dt * v[1] - y;
+  return std::sqrt(dx * dx + dy * dy) + info_[body].reach * settings_.dt * std::fabs(v[2]);
 }
 
 PlanarBody PlanarBodyStates::present(int index) const {

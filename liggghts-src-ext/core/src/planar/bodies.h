@@ -45,8 +45,9 @@ class PlanarBodyStates {
   const PlanarKinematics& kinematics(int body) const { return kinematics_[body]; }
   /// The largest distance from a centre of mass to a point of its body, m.
   double longest_reach() const;
-  /// Displacement in a step, at its present speed, of the point of the body that moves fastest, m.
-  double step_displacement(int body) const;
+  /// Displacement in a step, at its present speed, of the point of the body that moves fastest, m,
+  /// relative to a frame that goes (x, y), m, in a step.
+  double step_displacement(int body, double x = 0.0, double y = 0.0) const;
   /// Of a contact of the body, for its inertia; with mass scaling alone.
   const ContactWeight& weight(int body) const { return weights_[body]; }
   /// Whether body i is the first of the two in a block; the same on every rank.

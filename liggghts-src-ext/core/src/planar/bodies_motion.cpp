@@ -5,7 +5,7 @@
 
 #include "bodies.h"
 #include "events.h"
-#include "neighbours.h"
+#include "../planar_lists/neighbours.h"
 
 namespace rodpack {
 

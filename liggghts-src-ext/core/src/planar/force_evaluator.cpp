@@ -5,7 +5,7 @@
 
 #include "bodies.h"
 #include "force_evaluator.h"
-#include "neighbours.h"
+#include "../planar_lists/neighbours.h"
 #include "rodpack/contact/dashpot_relaxation.h"
 #include "rodpack/contact/normal_history.h"
 #include "rodpack/contact/tangential_history.h"

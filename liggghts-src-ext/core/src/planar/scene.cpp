@@ -11,7 +11,7 @@
 #include "force_evaluator.h"
 #include "../planar_ranks/ghosts.h"
 #include "../planar_ranks/halo.h"
-#include "neighbours.h"
+#include "../planar_lists/neighbours.h"
 #include "pipeline.h"
 
 namespace rodpack {
@@ -206,7 +206,9 @@ int PlanarScene::Data::pass(long most) {
     steps_of_pass = std::min(steps_of_pass, std::max(1L, static_cast<long>(halo->quiet_updates())));
   steps_of_pass_ = static_cast<int>(std::min(steps_of_pass, most));
   if (steps % steps_between_sorts == steps_between_sorts / 2) sort_blocks();
+  steps_of_pass_ = neighbours.begin_pass(steps_of_pass_);
   pipeline_.run(steps_of_pass_, *this);
+  neighbours.look_at(steps_of_pass_);
   blocks.age(steps_of_pass_);
   for (int part = 0; part < parts.count(); ++part) correct_for_events(steps_of_pass_, part);
   steps += steps_of_pass_;
@@ -219,18 +221,20 @@ int PlanarScene::Data::pass(long most) {
 
 bool PlanarScene::Data::move(int step, int part) {
   if (step > 0) correct_for_events(step, part);
+  neighbours.look_at(step + 1);
   std::vector<int>& to_list = to_list_[step];
   if (part == parts.last()) {
     if (halo && halo->update(to_list)) halo->hold_back_sent(dependencies);
     return false;
   }
   bodies.prepare(part, steps + step);
-  bodies.advance(part, steps + step, kernel, neighbours, steps_of_pass_ - 1 - step, to_list);
+  bodies.advance(part, steps + step, kernel, neighbours, steps_of_pass_ - step, to_list);
   return !to_list.empty();
 }
 
 void PlanarScene::Data::evaluate(int step, int part) {
   blocks.look_ahead(step);
+  neighbours.look_at(step + 1);
   neighbours.list_anew(to_list_[step]);
   to_list_[step].clear();
   forces.evaluate(part, steps + step + 1);

@@ -5,7 +5,7 @@
 
 #include "../planar/bodies.h"
 #include "../planar/events.h"
-#include "../planar/neighbours.h"
+#include "../planar_lists/neighbours.h"
 
 namespace rodpack {
 

@@ -110,10 +110,13 @@ static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, a
 
 constexpr int body_lanes = 4;  // bodies that the SIMD loop advances at a time
 
-/// Reference states of so many bodies, side by side. A lane without a body has an infinite skin.
+/// Reference states of so many bodies, side by side, at some step, and what they move by in each.
+/// `strain` (m) is to be added to the motion that is seen from them. A lane without a body has an
+/// infinite skin.
 struct alignas(64) PlanarReferenceLanes {
   double x[body_lanes], y[body_lanes], cosine[body_lanes], sine[body_lanes];
-  double reach[body_lanes], skin[body_lanes];
+  double reach[body_lanes], skin[body_lanes], strain[body_lanes];
+  double step_x[body_lanes], step_y[body_lanes], strain_step[body_lanes];
 };
 
 /// Arguments of the loop that advances bodies by a step.
@@ -134,9 +137,10 @@ struct PlanarAdvanceArguments {
   double velocity_weights[max_multistep_order];
   double force_weights[max_multistep_order + 2][max_multistep_order];  // by number of evaluations
   const PlanarReferenceLanes* references;
-  int steps_ahead;  // a body that will leave its skin in so many further steps is listed now
-  double* moved;    // since the reference position, an upper bound, m; room for whole registers
-  int* to_list;     // becomes the bodies to be listed anew; room for all
+  double steps_since;  // made with this one, since the reference states were those
+  int steps_ahead;     // a body that will leave its skin in so many further steps is listed now
+  double* moved;       // since the reference position, an upper bound, m; room for whole registers
+  int* to_list;        // becomes the bodies to be listed anew; room for all
 };
 
 /// The SIMD loops for one set of processor instructions.

@@ -152,20 +152,27 @@ int advance(const PlanarAdvanceArguments& arguments) {
     pose[3] = sine * scale;
 
     const PlanarReferenceLanes& at = arguments.references[first / body_lanes];
-    const Lanes rx = x - load_lanes(at.x), ry = y - load_lanes(at.y);
+    const double made = arguments.steps_since, more = arguments.steps_ahead;
+    const Lanes step_x = load_lanes(at.step_x), step_y = load_lanes(at.step_y);
+    const Lanes rx = x - (load_lanes(at.x) + made * step_x),
+                ry = y - (load_lanes(at.y) + made * step_y);
     const Lanes tc = pose[2] - load_lanes(at.cosine), ts = pose[3] - load_lanes(at.sine);
     const Lanes reach = load_lanes(at.reach);
     const auto square_of_bound = [&](Lanes dx, Lanes dy, Lanes dcosine, Lanes dsine) {
       const Lanes turn = reach * reach * (dcosine * dcosine + dsine * dsine);
       return 2.0 * (dx * dx + dy * dy + turn);  // |a| + |b| <= sqrt(2 (a^2 + b^2))
     };
-    const Lanes moved = lane_sqrt(square_of_bound(rx, ry, tc, ts));
+    const Lanes strain_step = load_lanes(at.strain_step);
+    const Lanes strain = load_lanes(at.strain) + made * strain_step;
+    const Lanes moved = lane_sqrt(square_of_bound(rx, ry, tc, ts)) + strain;
     store_lanes(arguments.moved + first, moved);
-    const Lanes will_move = square_of_bound(rx + ahead[0], ry + ahead[1], tc - ahead[2] * pose[3],
-                                            ts + ahead[2] * pose[2]);
-    const Lanes skin = load_lanes(at.skin);
-    const int far =
-        lane_bits(lane_less(skin, moved)) | lane_bits(lane_less(skin * skin, will_move));
+    const Lanes will_move =
+        square_of_bound(rx + ahead[0] - more * step_x, ry + ahead[1] - more * step_y,
+                        tc - ahead[2] * pose[3], ts + ahead[2] * pose[2]);
+    const Lanes skin = load_lanes(at.skin), skin_left = skin - (strain + more * strain_step);
+    const int far = lane_bits(lane_less(skin, moved)) |
+                    lane_bits(lane_less(skin_left, all_lanes(0.0))) |
+                    lane_bits(lane_less(skin_left * skin_left, will_move));
     transpose_lanes(pose);
     for (int k = 0; k < members; ++k) {
       store_lanes(&arguments.kinematics[first + k].x, pose[k]);

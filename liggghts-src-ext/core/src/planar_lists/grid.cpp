@@ -35,9 +35,15 @@ void PlanarGrid::build(const std::vector<double>& x, const std::vector<double>& 
   inverse_ = 1.0 / cell;
   nx_ = static_cast<int>(along_x.length() * inverse_) + 1;
   ny_ = static_cast<int>(along_y.length() * inverse_) + 1;
-  head_.assign(static_cast<std::size_t>(nx_) * ny_, -1);
+  head_.assign(cells(), -1);
   for (std::vector<int>* of_bodies : {&next_, &previous_, &cell_}) of_bodies->assign(count, -1);
   for (std::size_t k = 0; k < count; ++k) link(static_cast<int>(k), cell_of(x[k], y[k]));
+}
+
+bool PlanarGrid::reaches(int axis, int column, double position) const {
+  const int last = axis == 0 ? nx_ : ny_;
+  const double along = (position - (axis == 0 ? x0_ : y0_)) * inverse_ + 1.0;
+  return (column <= 1 || along > column - 0.5) && (column >= last || along < column + 1.5);
 }
 
 void PlanarGrid::link(int body, int cell) {

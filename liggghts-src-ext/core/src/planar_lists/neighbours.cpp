@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "blocks.h"
-#include "bodies.h"
+#include "../planar/blocks.h"
+#include "../planar/bodies.h"
 #include "rodpack/contact/contact_law.h"
 
 namespace rodpack {
@@ -29,12 +29,13 @@ PlanarNeighbours::PlanarNeighbours(const PlanarSettings& settings, const PlanarB
       bodies_(bodies),
       parts_(parts),
       blocks_(blocks),
-      dependencies_(dependencies) {
+      dependencies_(dependencies),
+      frames_(settings) {
   resize(bodies.size());
 }
 
 void PlanarNeighbours::resize(int bodies) {
-  references_.resize(bodies, PlanarReference());
+  references_.resize(bodies, MovingReference());
   const std::size_t registers = (bodies + body_lanes - 1) / body_lanes;
   PlanarReferenceLanes no_bodies = PlanarReferenceLanes();
   std::fill_n(no_bodies.skin, body_lanes, none);
@@ -44,26 +45,31 @@ void PlanarNeighbours::resize(int bodies) {
   blocks_.resize(bodies);
 }
 
-/// Makes the present position of the body its reference position, and sets its skin.
+/// Makes the present position of the body, which is in its cell, its reference position, and sets
+/// its skin.
 void PlanarNeighbours::set_reference(int body) {
   const PlanarKinematics& kinematics = bodies_.kinematics(body);
-  const double displacement = bodies_.step_displacement(body);
-  const double skin = std::min(settings_.max_skin,
-                               std::max(settings_.min_skin, settings_.skin_steps * displacement));
-  references_[body] = {
-      kinematics.x, kinematics.y, kinematics.cosine, kinematics.sine, bodies_.info(body).reach,
-      skin};
-  set_lanes(body, references_[body]);
+  const PlanarFrameStep frame = exist_ ? frames_.step(grid_.cell(body)) : PlanarFrameStep();
+  const double displacement = bodies_.step_displacement(body, frame.x, frame.y);
+  const double skin =
+      std::min(settings_.max_skin,
+               std::max(settings_.min_skin, settings_.skin_steps * (displacement + frame.strain)));
+  references_[body] = {{kinematics.x - step_ * frame.x, kinematics.y - step_ * frame.y,
+                        kinematics.cosine, kinematics.sine, bodies_.info(body).reach, skin},
+                       frame.x,
+                       frame.y};
+  set_lanes(body, -step_ * frame.strain, frame.strain);
   moved_[body] = 0.0;
   // The bound in `moved_` may be the square root of 2 times too large.
-  const double covered = before_its_skin * skin / (std::sqrt(2.0) * displacement);
+  const double covered = before_its_skin * skin / (std::sqrt(2.0) * displacement + frame.strain);
   if (covered < steps_of_listed_) {
     steps_of_listed_ = std::max(1, static_cast<int>(covered));
     steps_within_skins_ = std::min(steps_within_skins_, steps_of_listed_);
   }
 }
 
-void PlanarNeighbours::set_lanes(int body, const PlanarReference& at) {
+void PlanarNeighbours::set_lanes(int body, double strain, double strain_step) {
+  const PlanarReference& at = references_[body].at;
   PlanarReferenceLanes& lanes = reference_lanes_[body / body_lanes];
   const int lane = body % body_lanes;
   lanes.x[lane] = at.x;
@@ -72,6 +78,61 @@ void PlanarNeighbours::set_lanes(int body, const PlanarReference& at) {
   lanes.sine[lane] = at.sine;
   lanes.reach[lane] = at.reach;
   lanes.skin[lane] = before_its_skin * at.skin;
+  lanes.step_x[lane] = references_[body].step_x;
+  lanes.step_y[lane] = references_[body].step_y;
+  lanes.strain[lane] = strain;
+  lanes.strain_step[lane] = strain_step;
+}
+
+/// The reference position at the time that is looked at.
+PlanarReference PlanarNeighbours::reference(int body) const {
+  const MovingReference& of = references_[body];
+  PlanarReference at = of.at;
+  at.x += step_ * of.step_x;
+  at.y += step_ * of.step_y;
+  return at;
+}
+
+int PlanarNeighbours::begin_pass(int most) {
+  begun_ = step_;
+  if (begun_ == 0 || begun_ + most > frames_.steps_within_skin()) renew_frames();
+  return std::min(most, frames_.steps_within_skin() - begun_);
+}
+
+void PlanarNeighbours::renew_frames() {
+  const bool moved = frames_.any_moves();
+  if (moved) move_references();
+  begun_ = step_ = 0;
+  frames_.renew(grid_, bodies_);
+  if (!moved && !frames_.any_moves()) return;
+  std::vector<int>& leaving = work_.leaving;
+  leaving.clear();
+  for (int body = 0; body < bodies_.size(); ++body) {
+    if (bodies_.info(body).count == 0) continue;  // a ghost that is out of use
+    const PlanarFrameStep frame = frames_.step(grid_.cell(body));
+    MovingReference& reference = references_[body];
+    reference.step_x = frame.x;
+    reference.step_y = frame.y;
+    set_lanes(body, reference_lanes_[body / body_lanes].strain[body % body_lanes], frame.strain);
+    // Seen from another frame it may leave its skin in the first step.
+    const double in_a_step =
+        std::sqrt(2.0) * bodies_.step_displacement(body, frame.x, frame.y) + frame.strain;
+    if (moved_[body] + in_a_step > before_its_skin * reference.at.skin) leaving.push_back(body);
+  }
+  list_anew(leaving);
+}
+
+/// Moves the reference positions to the time that is looked at, and into their cells.
+void PlanarNeighbours::move_references() {
+  for (int body = 0; body < bodies_.size(); ++body) {
+    if (bodies_.info(body).count == 0) continue;  // a ghost that is out of use
+    PlanarReferenceLanes& lanes = reference_lanes_[body / body_lanes];
+    const int lane = body % body_lanes;
+    lanes.strain[lane] += step_ * lanes.strain_step[lane];
+    PlanarReference& at = references_[body].at;
+    at = reference(body);
+    grid_.move(body, at.x, at.y);
+  }
 }
 
 void PlanarNeighbours::renew_steps_within_skins() {
@@ -80,6 +141,7 @@ void PlanarNeighbours::renew_steps_within_skins() {
 }
 
 void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvanceArguments& arguments) {
+  arguments.steps_since = step_;
   arguments.steps_ahead = steps_ahead;
   arguments.references = reference_lanes_.data();
   arguments.moved = moved_.data();
@@ -90,25 +152,27 @@ void PlanarNeighbours::list_all() {
   std::vector<double> x(count), y(count);
   for (int k = 0; k < count; ++k) {
     set_reference(k);
-    x[k] = references_[k].x;
-    y[k] = references_[k].y;
+    x[k] = references_[k].at.x;
+    y[k] = references_[k].at.y;
   }
-  grid_.build(x, y, 2.0 * (longest_reach_ + settings_.max_skin));
+  // Those that may touch are in the same cell or in cells next to each other, though reference
+  // positions may be on their way to other cells.
+  grid_.build(x, y, 2.0 * (longest_reach_ + settings_.max_skin + on_their_way()));
   exist_ = true;
   for (int k = 0; k < count; ++k) list_near(k, k);
 }
 
 void PlanarNeighbours::list_anew(const std::vector<int>& bodies) {
   for (int body : bodies) {
+    grid_.move(body, bodies_.kinematics(body).x, bodies_.kinematics(body).y);
     set_reference(body);
-    grid_.move(body, references_[body].x, references_[body].y);
     list(body);
   }
 }
 
 void PlanarNeighbours::add_ghost(int ghost) {
+  if (exist_) grid_.add(ghost, bodies_.kinematics(ghost).x, bodies_.kinematics(ghost).y);
   set_reference(ghost);
-  if (exist_) grid_.add(ghost, references_[ghost].x, references_[ghost].y);
 }
 
 void PlanarNeighbours::remove_ghost(int ghost) {
@@ -119,27 +183,32 @@ void PlanarNeighbours::remove_ghost(int ghost) {
 /// Bounds the motion as the SIMD loop does that advances the bodies of this rank.
 bool PlanarNeighbours::follow_ghost(int ghost) {
   const PlanarKinematics& kinematics = bodies_.kinematics(ghost);
-  const PlanarReference& at = references_[ghost];
+  const PlanarReference at = reference(ghost);
+  const PlanarReferenceLanes& lanes = reference_lanes_[ghost / body_lanes];
+  const int lane = ghost % body_lanes;
   const double rx = kinematics.x - at.x, ry = kinematics.y - at.y;
   const double tc = kinematics.cosine - at.cosine, ts = kinematics.sine - at.sine;
   double& moved = moved_[ghost];
-  moved = std::sqrt(2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts)));
+  moved = std::sqrt(2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts))) +
+          lanes.strain[lane] + step_ * lanes.strain_step[lane];
   return exist_ && moved > before_its_skin * at.skin;
 }
 
 /// Finds the bodies before `end` that are near a body.
 void PlanarNeighbours::find_near(int body, int end) {
-  const PlanarReference& at = references_[body];
   const PlanarChain here = chain(body);
+  const PlanarReference& at = here.at;
   const int owned = bodies_.owned();
   std::vector<int>& near = work_.near;
   near.clear();
-  grid_.around(at.x, at.y, [&](int other) {
+  const double farthest = at.reach + at.skin + longest_reach_ + settings_.max_skin + on_their_way();
+  grid_.around(at.x, at.y, farthest, [&](int other) {
     if (other == body || other >= end) return;
     if (other >= owned && body >= owned) return;  // contacts of two ghosts are their ranks' affair
-    const PlanarReference& there = references_[other];
-    const double dx = at.x - there.x, dy = at.y - there.y;
-    const double far = at.reach + there.reach + at.skin + there.skin;
+    const MovingReference& there = references_[other];
+    const double dx = at.x - there.at.x - step_ * there.step_x,
+                 dy = at.y - there.at.y - step_ * there.step_y;
+    const double far = at.reach + there.at.reach + at.skin + there.at.skin;
     if (dx * dx + dy * dy < far * far && are_close(here, chain(other))) near.push_back(other);
   });
 }
@@ -179,7 +248,7 @@ void PlanarNeighbours::list(int body) {
 
 PlanarChain PlanarNeighbours::chain(int body) const {
   const PlanarBodyInfo& info = bodies_.info(body);
-  return {bodies_.spheres(body), info.count, info.radius, info.box, references_[body]};
+  return {bodies_.spheres(body), info.count, info.radius, info.box, reference(body)};
 }
 
 void PlanarNeighbours::list_pair(int i, int j, int other) {

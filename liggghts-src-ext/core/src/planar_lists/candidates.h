@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../planar_simd/arguments.h"
-#include "box.h"
+#include "../planar/box.h"
 #include "rodpack/planar/scene.h"
 
 namespace rodpack {
@@ -22,7 +22,7 @@ struct PlanarChain {
   int count;
   double radius;  // of the spheres, m
   const PlanarBox& box;
-  const PlanarReference& at;
+  PlanarReference at;
 };
 
 /// Whether spheres of bodies i and j may be candidates, as far as their boxes tell.

@@ -7,9 +7,10 @@
 #include "../planar_simd/aligned_vector.h"
 #include "candidates.h"
 #include "../planar_simd/arguments.h"
+#include "frames.h"
 #include "grid.h"
-#include "lane_state.h"
-#include "pipeline.h"
+#include "../planar/lane_state.h"
+#include "../planar/pipeline.h"
 
 namespace rodpack {
 
@@ -20,6 +21,11 @@ class PlanarBodyStates;
 /// since it was listed last, at its reference position. Two spheres are candidates for a contact if
 /// they come closer than the skins of both bodies allow, measured between the reference positions;
 /// so that no body has to be listed because another one moved. Candidates go into blocks.
+///
+/// Reference positions move with frames (PlanarFrames), and the motion of a body is measured from
+/// there, with the strain between frames added. Frames of cells that are not next to each other may
+/// move as they like: bodies of such cells are too far apart to touch, and on their way to each
+/// other they pass through cells that are.
 class PlanarNeighbours {
  public:
   /// All that is given has to outlive the lists, which change `blocks` and `dependencies`.
@@ -49,6 +55,11 @@ class PlanarNeighbours {
   /// Lets steps_within_skins() forget the bodies that were not listed since the last call.
   void renew_steps_within_skins();
 
+  /// Begins a pass of up to `most` steps, for which frames are renewed if they are too old; returns
+  /// how many it may have.
+  int begin_pass(int most);
+  /// What follows is about the time so many steps after the pass has begun.
+  void look_at(int step) { step_ = begun_ + step; }
   /// Sets what the SIMD loop needs to find the bodies that have left their skin, or will in
   /// `steps_ahead` further steps.
   void set_arguments(int steps_ahead, PlanarAdvanceArguments& arguments);
@@ -59,7 +70,13 @@ class PlanarNeighbours {
 
  private:
   void set_reference(int body);
-  void set_lanes(int body, const PlanarReference& at);
+  void set_lanes(int body, double strain, double strain_step);
+  PlanarReference reference(int body) const;
+  void renew_frames();
+  /// How far reference positions may go with their frames until they are put into their cells anew
+  /// when frames are renewed, m.
+  double on_their_way() const { return settings_.max_skin; }
+  void move_references();
   void list(int body);
   void find_near(int body, int end);
   void list_near(int body, int end);
@@ -93,12 +110,22 @@ class PlanarNeighbours {
   int steps_of_listed_ = most_steps_in_pass;  // of the bodies listed since the last renewal
   long listings_ = 0;
   PlanarGrid grid_;
-  AlignedVector<PlanarReference> references_;
+  PlanarFrames frames_;
+  // Counted from the step in which frames were renewed the last time: that in which the pass has
+  // begun, and that which is looked at.
+  int begun_ = 0, step_ = 0;
+  // When frames were renewed, and the step of the frame.
+  struct alignas(64) MovingReference {
+    PlanarReference at;
+    double step_x, step_y;
+  };
+  AlignedVector<MovingReference> references_;
   AlignedVector<PlanarReferenceLanes> reference_lanes_;
   AlignedVector<double> moved_;
 
   // Memory that listing works in.
   struct ListingWorkspace {
+    std::vector<int> leaving;                 // bodies that are about to leave their skins
     std::vector<int> near;                    // bodies that may have candidates with one
     std::vector<PlanarCandidate> candidates;  // of two bodies
     std::vector<ListedBlock> blocks;          // of a body
