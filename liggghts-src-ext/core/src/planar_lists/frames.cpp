@@ -12,8 +12,7 @@ namespace rodpack {
 
 namespace {
 
-/// Weights the numbers of neighbouring cells, so many places apart, 1 : 2 : 1. Cells of the frame
-/// around the grid that have no neighbours stay out.
+/// Weights the numbers of neighbouring cells, so many places apart, 1 : 2 : 1.
 void weigh(const std::vector<double>& from, int stride, std::vector<double>& to) {
   const int end = static_cast<int>(from.size()) - stride;
   for (int cell = stride; cell < end; ++cell)
@@ -30,6 +29,7 @@ void PlanarFrames::renew(const PlanarGrid& grid, const PlanarBodyStates& bodies)
   for (Sums* sums : {&slow_, &fast_}) sums->smooth(grid.stride(), work_);
   set_steps(grid.cells());
   stop_at_walls(grid);
+  copy_to_edge(grid.cells(), grid.stride());
   set_strains(grid.cells(), grid.stride());
 }
 
@@ -98,6 +98,20 @@ void PlanarFrames::stop_at_walls(const PlanarGrid& grid) {
         if (grid.reaches(1, row, wall.position))
           std::fill_n(step_y_.begin() + row * stride, stride, 0.0);
     }
+  }
+}
+
+/// Lets the cells around the grid, which have no bodies, move as those next to them.
+void PlanarFrames::copy_to_edge(int cells, int stride) {
+  const int last_row = cells - stride;
+  for (std::vector<double>* step : {&step_x_, &step_y_}) {
+    const auto first = step->begin();
+    for (int row = 0; row < cells; row += stride) {
+      first[row] = first[row + 1];
+      first[row + stride - 1] = first[row + stride - 2];
+    }
+    std::copy_n(first + stride, stride, first);
+    std::copy_n(first + last_row - stride, stride, first + last_row);
   }
 }
 

@@ -51,6 +51,7 @@ class PlanarFrames {
   void sum_up(const PlanarGrid& grid, const PlanarBodyStates& bodies);
   void set_steps(int cells);
   void stop_at_walls(const PlanarGrid& grid);
+  void copy_to_edge(int cells, int stride);
   void set_strains(int cells, int stride);
 
   const PlanarSettings& settings_;
