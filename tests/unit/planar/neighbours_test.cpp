@@ -272,6 +272,22 @@ TEST(PlanarNeighbours, StepsWithinSkinsAreThoseOfTheFastestBody) {
   EXPECT_EQ(steps(100.0), 1);
 }
 
+// Seen from the frame of the slow body beside it the fast one goes 22 um in a step, more than its
+// skin of 10 um, and is listed before it has left; not where both rest, or fly together.
+TEST(PlanarNeighbours, BodiesAreListedWhenANewFrameLetsThemLeaveTheirSkins) {
+  PlanarSettings settings = settings_of();
+  settings.min_skin = settings.max_skin = 1e-5;
+  const auto listings = [&](double slow, double fast) {
+    Scene scene(settings, {moving(rod(1, 0, 0, 0), slow, 0), moving(rod(1, 0.004, 0, 0), fast, 0)});
+    scene.neighbours.list_all();
+    EXPECT_EQ(scene.neighbours.begin_pass(1), 1);
+    return scene.neighbours.listings();
+  };
+  EXPECT_EQ(listings(0.01, 2.0), 1);
+  EXPECT_EQ(listings(0.0, 0.0), 0);
+  EXPECT_EQ(listings(0.2, 0.2), 0);
+}
+
 // After a renewal, those alone count that have been listed since the one before.
 TEST(PlanarNeighbours, StepsWithinSkinsForgetWhoHasSlowedDown) {
   PlanarSettings settings = settings_of();
