@@ -63,7 +63,7 @@ TEST(PlanarFrames, GoWithTheBodiesOfTheirCellAndOfThoseAround) {
   const PlanarSettings settings = settings_of();
   const Frames of(settings, {disc(5, 5, 0.05, -0.02)});
   EXPECT_TRUE(of.frames.any_moves());
-  EXPECT_EQ(of.frames.steps_within_skin(), most_steps_in_pass);
+  EXPECT_EQ(of.frames.steps_within_way(), most_steps_in_pass);
   const double x = 0.05 * settings.dt, y = -0.02 * settings.dt, strain = 0.5 * std::hypot(x, y);
   expect_step(of.step(5, 5), x, y, 0.0);
   for (const auto& place : {std::pair<int, int>{4, 4}, {6, 5}, {5, 6}})
@@ -99,7 +99,7 @@ TEST(PlanarFrames, StayNearTheirCells) {
   const auto steps = [&](double speed) {
     const Frames of(settings, {disc(5, 5, 0.0, -speed)});
     EXPECT_NEAR(of.step(5, 5).y, -std::min(speed * settings.dt, 2.5e-4), 1e-15);
-    return of.frames.steps_within_skin();
+    return of.frames.steps_within_way();
   };
   EXPECT_EQ(steps(5.0), 8);
   EXPECT_EQ(steps(14.0), 6);  // 1 mm / 0.154 mm

@@ -6,7 +6,6 @@
 
 #include "../planar/bodies.h"
 #include "grid.h"
-#include "rodpack/planar/scene.h"
 
 namespace rodpack {
 
@@ -24,7 +23,7 @@ void weigh(const std::vector<double>& from, int stride, std::vector<double>& to)
 void PlanarFrames::renew(const PlanarGrid& grid, const PlanarBodyStates& bodies) {
   sum_up(grid, bodies);
   // A bed at rest has the least skins anyway.
-  steps_within_skin_ = most_steps_in_pass;
+  steps_within_way_ = most_steps_in_pass;
   if (!any_moves_) return;
   for (Sums* sums : {&slow_, &fast_}) sums->smooth(grid.stride(), work_);
   set_steps(grid.cells());
@@ -64,8 +63,7 @@ void PlanarFrames::sum_up(const PlanarGrid& grid, const PlanarBodyStates& bodies
 }
 
 void PlanarFrames::set_steps(int cells) {
-  // So that a frame stays near its cell for some steps.
-  const double dt = settings_.dt, largest = 0.25 * settings_.max_skin;
+  const double dt = settings_.dt, largest = 0.25 * way_;
   double found = largest / most_steps_in_pass;
   step_x_.resize(cells);
   step_y_.resize(cells);
@@ -80,8 +78,7 @@ void PlanarFrames::set_steps(int cells) {
     step_y_[cell] = step(slow_.y[cell], slow, fast_.y[cell], fast);
     found = std::max(found, std::max(std::fabs(step_x_[cell]), std::fabs(step_y_[cell])));
   }
-  steps_within_skin_ =
-      std::min(most_steps_in_pass, static_cast<int>(1.000001 * settings_.max_skin / found));
+  steps_within_way_ = std::min(most_steps_in_pass, static_cast<int>(1.000001 * way_ / found));
 }
 
 /// Lists of contacts with walls hold still in space: no frame from which a body could reach a wall

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "../planar/pipeline.h"
+#include "rodpack/planar/scene.h"
 
 namespace rodpack {
 
 class PlanarBodyStates;
 class PlanarGrid;
-struct PlanarSettings;
 
 /// How a frame moves in a step, m.
 struct PlanarFrameStep {
@@ -26,14 +26,17 @@ struct PlanarFrameStep {
 /// that of the bodies around.
 class PlanarFrames {
  public:
-  explicit PlanarFrames(const PlanarSettings& settings) : settings_(settings) {}
+  explicit PlanarFrames(const PlanarSettings& settings)
+      : settings_(settings), way_(settings.max_skin) {}
 
+  /// Sets how far a frame may go along an axis until it is renewed, m.
+  void set_way(double way) { way_ = way; }
+  double way() const { return way_; }
   /// Lets the frames move as the bodies of their cells and of those next to them do on average:
   /// where some are slow, as these do.
   void renew(const PlanarGrid& grid, const PlanarBodyStates& bodies);
-  /// The number of steps, 4 or more, in which no frame goes farther than the largest skin along an
-  /// axis.
-  int steps_within_skin() const { return steps_within_skin_; }
+  /// The number of steps, 4 or more, in which no frame goes farther than it may.
+  int steps_within_way() const { return steps_within_way_; }
   /// Whether there is a frame that moves.
   bool any_moves() const { return any_moves_; }
   PlanarFrameStep step(int cell) const {
@@ -56,7 +59,8 @@ class PlanarFrames {
 
   const PlanarSettings& settings_;
   bool any_moves_ = false;
-  int steps_within_skin_ = most_steps_in_pass;
+  double way_;
+  int steps_within_way_ = most_steps_in_pass;
   Sums slow_, fast_;
   std::vector<double> step_x_, step_y_, strain_;
   std::vector<double> work_;

@@ -95,8 +95,8 @@ PlanarReference PlanarNeighbours::reference(int body) const {
 
 int PlanarNeighbours::begin_pass(int most) {
   begun_ = step_;
-  if (begun_ == 0 || begun_ + most > frames_.steps_within_skin()) renew_frames();
-  return std::min(most, frames_.steps_within_skin() - begun_);
+  if (begun_ == 0 || begun_ + most > frames_.steps_within_way()) renew_frames();
+  return std::min(most, frames_.steps_within_way() - begun_);
 }
 
 void PlanarNeighbours::renew_frames() {
@@ -150,14 +150,20 @@ void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvanceArguments& ar
 void PlanarNeighbours::list_all() {
   const int count = bodies_.size();
   std::vector<double> x(count), y(count);
+  double fastest = 0.0;  // m in a step
   for (int k = 0; k < count; ++k) {
     set_reference(k);
+    fastest = std::max(fastest, bodies_.step_displacement(k));
     x[k] = references_[k].at.x;
     y[k] = references_[k].at.y;
   }
+  // Frames may go as far in a pass as the fastest body, and somewhat more; but no cell grows by
+  // more than twice what skins make of it.
+  const double way = 1.25 * most_steps_in_pass * fastest;
+  frames_.set_way(std::min(2.0 * settings_.max_skin, std::max(0.25 * settings_.max_skin, way)));
   // Those that may touch are in the same cell or in cells next to each other, though reference
   // positions may be on their way to other cells.
-  grid_.build(x, y, 2.0 * (longest_reach_ + settings_.max_skin + on_their_way()));
+  grid_.build(x, y, 2.0 * (longest_reach_ + settings_.max_skin + frames_.way()));
   exist_ = true;
   for (int k = 0; k < count; ++k) list_near(k, k);
 }
@@ -201,7 +207,7 @@ void PlanarNeighbours::find_near(int body, int end) {
   const int owned = bodies_.owned();
   std::vector<int>& near = work_.near;
   near.clear();
-  const double farthest = at.reach + at.skin + longest_reach_ + settings_.max_skin + on_their_way();
+  const double farthest = at.reach + at.skin + longest_reach_ + settings_.max_skin + frames_.way();
   grid_.around(at.x, at.y, farthest, [&](int other) {
     if (other == body || other >= end) return;
     if (other >= owned && body >= owned) return;  // contacts of two ghosts are their ranks' affair

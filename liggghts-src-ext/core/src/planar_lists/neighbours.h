@@ -73,9 +73,6 @@ class PlanarNeighbours {
   void set_lanes(int body, double strain, double strain_step);
   PlanarReference reference(int body) const;
   void renew_frames();
-  /// How far reference positions may go with their frames until they are put into their cells anew
-  /// when frames are renewed, m.
-  double on_their_way() const { return settings_.max_skin; }
   void move_references();
   void list(int body);
   void find_near(int body, int end);
