@@ -204,9 +204,8 @@ int PlanarScene::Data::pass(long most) {
   steps_of_pass = std::min(steps_of_pass, static_cast<long>(neighbours.steps_within_skins()));
   if (halo)
     steps_of_pass = std::min(steps_of_pass, std::max(1L, static_cast<long>(halo->quiet_updates())));
-  steps_of_pass_ = static_cast<int>(std::min(steps_of_pass, most));
   if (steps % steps_between_sorts == steps_between_sorts / 2) sort_blocks();
-  steps_of_pass_ = neighbours.begin_pass(steps_of_pass_);
+  steps_of_pass_ = neighbours.begin_pass(static_cast<int>(std::min(steps_of_pass, most)));
   pipeline_.run(steps_of_pass_, *this);
   neighbours.look_at(steps_of_pass_);
   blocks.age(steps_of_pass_);

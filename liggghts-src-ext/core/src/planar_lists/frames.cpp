@@ -64,7 +64,7 @@ void PlanarFrames::sum_up(const PlanarGrid& grid, const PlanarBodyStates& bodies
 
 void PlanarFrames::set_steps(int cells) {
   const double dt = settings_.dt, largest = 0.25 * way_;
-  double found = largest / most_steps_in_pass;
+  double longest = way_ / most_steps_in_pass;  // step of a frame, m, but for shorter ones
   step_x_.resize(cells);
   step_y_.resize(cells);
   const auto step = [&](double slow, double slow_count, double fast, double fast_count) {
@@ -76,9 +76,9 @@ void PlanarFrames::set_steps(int cells) {
     const double slow = slow_.count[cell], fast = fast_.count[cell];
     step_x_[cell] = step(slow_.x[cell], slow, fast_.x[cell], fast);
     step_y_[cell] = step(slow_.y[cell], slow, fast_.y[cell], fast);
-    found = std::max(found, std::max(std::fabs(step_x_[cell]), std::fabs(step_y_[cell])));
+    longest = std::max(longest, std::max(std::fabs(step_x_[cell]), std::fabs(step_y_[cell])));
   }
-  steps_within_way_ = std::min(most_steps_in_pass, static_cast<int>(1.000001 * way_ / found));
+  steps_within_way_ = static_cast<int>(1.000001 * way_ / longest);  // whole numbers to rounding
 }
 
 /// Lists of contacts with walls hold still in space: no frame from which a body could reach a wall

@@ -15,10 +15,17 @@ namespace {
 
 // What is found next to a body when it is listed may be some steps of the pass ahead of it, and
 // must not touch it before. So a body is listed when it is about to leave its skin in what is left
-// of the pass, and this much before, for what the forces of these steps may add.
+// of the pass or in the step after it, and this much before, for what the forces of these steps may
+// add.
 constexpr double before_its_skin = 0.98;
 
 constexpr double none = std::numeric_limits<double>::infinity();  // the gap of no candidates
+
+/// By how much the bound on the motion of a body, which may be the square root of 2 times too
+/// large, grows in a step in which the body goes `displacement` in its frame, m.
+double growth_of_bound(double displacement, const PlanarFrameStep& frame) {
+  return std::sqrt(2.0) * displacement + frame.strain;
+}
 
 }  // namespace
 
@@ -60,8 +67,7 @@ void PlanarNeighbours::set_reference(int body) {
                        frame.y};
   set_lanes(body, -step_ * frame.strain, frame.strain);
   moved_[body] = 0.0;
-  // The bound in `moved_` may be the square root of 2 times too large.
-  const double covered = before_its_skin * skin / (std::sqrt(2.0) * displacement + frame.strain);
+  const double covered = before_its_skin * skin / growth_of_bound(displacement, frame);
   if (covered < steps_of_listed_) {
     steps_of_listed_ = std::max(1, static_cast<int>(covered));
     steps_within_skins_ = std::min(steps_within_skins_, steps_of_listed_);
@@ -115,9 +121,9 @@ void PlanarNeighbours::renew_frames() {
     reference.step_y = frame.y;
     set_lanes(body, reference_lanes_[body / body_lanes].strain[body % body_lanes], frame.strain);
     // Seen from another frame it may leave its skin in the first step.
-    const double in_a_step =
-        std::sqrt(2.0) * bodies_.step_displacement(body, frame.x, frame.y) + frame.strain;
-    if (moved_[body] + in_a_step > before_its_skin * reference.at.skin) leaving.push_back(body);
+    const double displacement = bodies_.step_displacement(body, frame.x, frame.y);
+    if (moved_[body] + growth_of_bound(displacement, frame) > before_its_skin * reference.at.skin)
+      leaving.push_back(body);
   }
   list_anew(leaving);
 }

@@ -111,7 +111,7 @@ class PlanarNeighbours {
   // Counted from the step in which frames were renewed the last time: that in which the pass has
   // begun, and that which is looked at.
   int begun_ = 0, step_ = 0;
-  // When frames were renewed, and the step of the frame.
+  // Where a body's reference position was when frames were renewed, and how it moves in a step.
   struct alignas(64) MovingReference {
     PlanarReference at;
     double step_x, step_y;
