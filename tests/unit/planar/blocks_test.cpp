@@ -208,6 +208,32 @@ void fill(PlanarBlockPool& pool, const PlanarParts& parts) {
 
 }  // namespace
 
+// Four heads share a place in memory, eight lanes a byte for each kind of bits.
+TEST(PlanarBlocks, HeadsOfAGroupAreTheirOwn) {
+  const PlanarParts parts = {40, 10};
+  for (const int wall : {0, 1}) {
+    PlanarBlockPool pool(40, slots, wall ? -1 : 0);
+    std::vector<int> places;
+    for (int k = 0; k < planar_group; ++k) {
+      places.push_back(add_block(pool, parts, 7 * k, wall ? -1 - k : 39 - k));
+      pool.set_gap(places[k], k);
+    }
+    pool.restore(places[1], 1, state_of(1.0));
+    pool.restore(places[3], 0, state_of(3.0));
+    pool.remove(places[0]);
+    for (int k = 1; k < planar_group; ++k) {
+      const PlanarBlockHead head = pool.head(places[k]);
+      EXPECT_EQ(head.i, 7 * k);
+      EXPECT_EQ(head.j, wall ? -1 - k : 39 - k);
+      EXPECT_EQ(head.used, all_of_block);
+      EXPECT_EQ(head.alive, k == 1 ? 2 : k == 3 ? 1 : 0);
+      EXPECT_NEAR(head.gap, k, 1e-6);
+    }
+    EXPECT_EQ(pool.head(places[0]).used, 0);
+    EXPECT_EQ(pool.head(places[0]).alive, 0);
+  }
+}
+
 TEST(PlanarBlocks, AreSortedByContactAndByPart) {
   const PlanarParts parts = {40, 10};
   PlanarBlockPool pool(40, slots, 0);

@@ -19,6 +19,21 @@ PlanarBodyStates bodies_of(const PlanarSettings& settings, const std::vector<Pla
   return PlanarBodyStates(settings, PlanarParts{static_cast<int>(all.size()), 4}, all);
 }
 
+/// The lists of bodies, which note how far these go.
+struct Lists {
+  PlanarBlocks blocks;
+  PlanarDependencies dependencies;
+  PlanarNeighbours neighbours;
+
+  Lists(const PlanarSettings& settings, const PlanarBodyStates& bodies)
+      : blocks(bodies.size(), 3),
+        dependencies(PlanarParts{bodies.size(), 4}),
+        neighbours(settings, bodies, PlanarParts{bodies.size(), 4}, blocks, dependencies) {
+    neighbours.set_longest_reach(bodies.longest_reach());
+    neighbours.list_all();
+  }
+};
+
 void expect_same_rates(const PlanarRates& a, const PlanarRates& b, double tolerance) {
   for (int d = 0; d < 2; ++d) {
     EXPECT_NEAR(a.velocity[d], b.velocity[d], tolerance);
@@ -74,7 +89,8 @@ TEST(PlanarBodyStates, StepDisplacementIsThatOfTheEndOfARod) {
   EXPECT_NEAR(bodies.step_displacement(0), (0.5 + 20 * reach) * settings.dt, 1e-18);
 }
 
-// Missed motion is made at the beginning of the next step: a displacement turns the rod too.
+// Missed motion is made at the beginning of the next step: a displacement turns the rod too. It is
+// a part of the path: the end of the rod, 2.5 d from its centre, goes on an arc of that radius.
 TEST(PlanarBodyStates, MissedMotionIsMadeOnce) {
   PlanarSettings settings = settings_of();
   PlanarBody body = moving(rod(5, 0.1, 0.2, 0.3), 1.0, 2.0, 3.0);
@@ -83,8 +99,11 @@ TEST(PlanarBodyStates, MissedMotionIsMadeOnce) {
   std::copy_n(displacement, 3, body.missed_displacement);
   std::copy_n(velocity, 3, body.missed_velocity);
   PlanarBodyStates bodies = bodies_of(settings, {body});
+  Lists lists(settings, bodies);
   for (int times = 0; times < 2; ++times) {
-    bodies.prepare(0, 0);
+    bodies.prepare(0, 0, lists.neighbours);
+    EXPECT_NEAR(lists.neighbours.travelled()[0],
+                std::sqrt(2 * (5e-12 + std::pow(0.01 * 2.5 * diameter, 2))), 1e-18);
     const PlanarKinematics& kinematics = bodies.kinematics(0);
     EXPECT_NEAR(kinematics.x, 0.1 + 1e-6, 1e-16);
     EXPECT_NEAR(kinematics.y, 0.2 - 2e-6, 1e-16);
@@ -108,7 +127,8 @@ TEST(PlanarBodyStates, TheNewbornGetAPastOfConstantAcceleration) {
   const double load[3] = {1e-3, -2e-3, 1e-7};
   std::copy_n(load, 3, body.load);
   PlanarBodyStates bodies = bodies_of(settings, {body});
-  bodies.prepare(0, 0);
+  Lists lists(settings, bodies);
+  bodies.prepare(0, 0, lists.neighbours);
   const PlanarBody told = bodies.state(0, 0);
   for (int k = 1; k <= 2; ++k) {
     const double age = k * settings.dt;
@@ -135,7 +155,7 @@ PlanarBody with_past(int order) {
 /// Makes the step from `step` on, of the only part.
 void advance(PlanarBodyStates& bodies, PlanarNeighbours& neighbours, long step) {
   std::vector<int> to_list;
-  bodies.prepare(0, step);
+  bodies.prepare(0, step, neighbours);
   bodies.advance(0, step, planar_kernel(PlanarInstructions::baseline, false), neighbours, 0,
                  to_list);
 }
@@ -155,14 +175,10 @@ TEST(PlanarBodyStates, PastIsThatOfTheStepsBefore) {
     std::copy_n(load, 3, body.load);
     const PlanarParts parts = {1, 4};
     PlanarBodyStates bodies(settings, parts, {body});
-    PlanarBlocks blocks(1, 3);
-    PlanarDependencies dependencies(parts);
-    PlanarNeighbours neighbours(settings, bodies, parts, blocks, dependencies);
-    neighbours.set_longest_reach(bodies.longest_reach());
-    neighbours.list_all();
+    Lists lists(settings, bodies);
     for (long step = 0; step < 4; ++step) {
       const PlanarBody before = bodies.state(0, step);
-      advance(bodies, neighbours, step);
+      advance(bodies, lists.neighbours, step);
       const PlanarBody after = bodies.state(0, step + 1);
       expect_same_rates(after.past[0],
                         {{before.velocity[0], before.velocity[1]},

@@ -303,7 +303,7 @@ TEST(PlanarNeighbours, StepsWithinSkinsForgetWhoHasSlowedDown) {
 }
 
 // A ghost is listed anew when 98 % of its skin may have gone by: the bound for a translation by a
-// is sqrt(2) a.
+// is sqrt(2) a. The path there and back is twice as long.
 TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   PlanarSettings settings = settings_of();
   settings.min_skin = settings.max_skin = 1e-3;
@@ -313,19 +313,27 @@ TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   const PlanarBody body = rod(5, 0.016, 0, 0);
   scene.bodies.set_ghost(1, body);
   scene.neighbours.add_ghost(1);
-  EXPECT_FALSE(scene.neighbours.follow_ghost(1)) << "there are no lists yet";
+  const auto moves_to = [&](double x) {  // whether it leaves its skin
+    const PlanarKinematics before = scene.bodies.kinematics(1);
+    PlanarKinematics kinematics = before;
+    kinematics.x = x;
+    scene.bodies.move_ghost(1, kinematics);
+    return scene.neighbours.follow_ghost(1, before);
+  };
+  const double* const moved = scene.neighbours.moved();
+  const double* const travelled = scene.neighbours.travelled();
+  EXPECT_FALSE(moves_to(0.016)) << "there are no lists yet";
   scene.neighbours.list_all();
   EXPECT_GT(scene.blocks.pairs().filled(), 0);
-  PlanarKinematics kinematics = scene.bodies.kinematics(1);
-  kinematics.x = 0.016 - 0.97e-3 / std::sqrt(2.0);
-  scene.bodies.move_ghost(1, kinematics);
-  EXPECT_FALSE(scene.neighbours.follow_ghost(1));
-  EXPECT_NEAR(scene.neighbours.moved()[1], 0.97e-3, 1e-15);
-  kinematics.x = 0.016 - 0.99e-3 / std::sqrt(2.0);
-  scene.bodies.move_ghost(1, kinematics);
-  EXPECT_TRUE(scene.neighbours.follow_ghost(1));
+  EXPECT_FALSE(moves_to(0.016 - 0.97e-3 / std::sqrt(2.0)));
+  EXPECT_NEAR(moved[1], 0.97e-3, 1e-15);
+  EXPECT_FALSE(moves_to(0.016));
+  EXPECT_NEAR(moved[1], 0.0, 1e-15);
+  EXPECT_NEAR(travelled[1], 2 * 0.97e-3, 1e-15);
+  EXPECT_TRUE(moves_to(0.016 - 0.99e-3 / std::sqrt(2.0)));
   scene.neighbours.list_anew({1});
-  EXPECT_FALSE(scene.neighbours.follow_ghost(1));
+  EXPECT_EQ(travelled[1], 0.0);
+  EXPECT_FALSE(moves_to(0.016 - 0.99e-3 / std::sqrt(2.0)));
   scene.neighbours.remove_ghost(1);
   EXPECT_EQ(scene.blocks.pairs().filled(), 0);
 }

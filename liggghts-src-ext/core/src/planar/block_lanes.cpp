@@ -56,17 +56,17 @@ void PlanarBlockPool::set_weights(int place, const ContactWeight& of_i, const Co
 }
 
 void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
-  const PlanarBlockHead& head = heads_[place];
+  const PlanarBlockHead of_block = head(place);
   const double* const of_lane = values(place) + lane;
   const PlanarBlockColdData& cold = cold_[place];
   const int bit = 1 << lane;
-  state.i = head.i;
-  state.j = head.j;
+  state.i = of_block.i;
+  state.j = of_block.j;
   state.sphere_i = cold.sphere_i[lane];
   state.sphere_j = cold.sphere_j[lane];
-  state.full_history = (head.full_history & bit) != 0;
+  state.full_history = (of_block.full_history & bit) != 0;
   PlanarHistory& history = state.history;
-  history.sliding = (head.sliding & bit) != 0;
+  history.sliding = (of_block.sliding & bit) != 0;
   history.just_touched = cold.just_touched[lane];
   history.known = cold.known[lane];
   history.spring = of_lane[planar_spring];
@@ -81,16 +81,17 @@ void PlanarBlockPool::save(int place, int lane, PlanarLaneState& state) const {
 }
 
 void PlanarBlockPool::restore(int place, int lane, const PlanarLaneState& state, bool aged) {
-  PlanarBlockHead& head = heads_[place];
+  PlanarBlockHead of_block = head(place);
   double* const of_lane = mutable_values(place) + lane;
   PlanarBlockColdData& cold = cold_[place];
   const auto set = [&](std::uint8_t& bits, bool on) {
     bits = static_cast<std::uint8_t>((bits & ~(1 << lane)) | (on ? 1 << lane : 0));
   };
   const PlanarHistory& history = state.history;
-  set(head.alive, history.known != 0);
-  set(head.full_history, state.full_history);
-  set(head.sliding, history.sliding);
+  set(of_block.alive, history.known != 0);
+  set(of_block.full_history, state.full_history);
+  set(of_block.sliding, history.sliding);
+  set_head(place, of_block);
   cold.just_touched[lane] = history.just_touched;
   cold.known[lane] = static_cast<std::int8_t>(history.known);
   cold.touch_rate[lane] = history.touch_rate;

@@ -28,7 +28,7 @@ void PlanarBlockPool::sort(const PlanarParts& parts) {
   std::vector<int>& order = work_.order;  // the present place of the k-th block, -1 for a hole
   keys.clear();
   for (int k = 0; k < size(); ++k)
-    if (heads_[k].used != 0) keys.push_back({sorting_key(heads_[k]), k});
+    if (head(k).used != 0) keys.push_back({sorting_key(head(k)), k});
   std::sort(keys.begin(), keys.end());
   const auto others = std::lower_bound(keys.begin(), keys.end(), Key{apart, 0});
   const int touching = whole_groups(static_cast<int>(others - keys.begin()));
@@ -59,15 +59,16 @@ void PlanarBlockPool::reorder(const std::vector<int>& order) {
       continue;
     }
     ++filled_;
-    heads_[k] = work_.heads[order[k]];
+    const PlanarBlockHead of_block = head_in(work_.heads, order[k]);
+    set_head(k, of_block);
     laws_[k] = work_.laws[order[k]];
     cold_[k] = work_.cold[order[k]];
     const double* const from = &work_.values[first_value(order[k])];
     double* const to = mutable_values(k);
     for (int row = 0; row < rows(); ++row)
       std::copy_n(from + row * planar_row, planar_lanes, to + row * planar_row);
-    of_body_[heads_[k].i].push_back(k);
-    if (heads_[k].j >= 0) of_body_[heads_[k].j].push_back(k);
+    of_body_[of_block.i].push_back(k);
+    if (of_block.j >= 0) of_body_[of_block.j].push_back(k);
   }
 }
 
@@ -77,7 +78,7 @@ void PlanarBlockPool::find_ends(const PlanarParts& parts, int first, int end,
                                 std::vector<int>& ends) const {
   ends.clear();
   for (int part = 0; part < parts.last(); ++part) {
-    while (first < end && parts.of_pair(heads_[first].i, heads_[first].j) <= part) ++first;
+    while (first < end && parts.of_pair(head(first).i, head(first).j) <= part) ++first;
     ends.push_back(first - first % planar_group);
   }
   ends.push_back(end);

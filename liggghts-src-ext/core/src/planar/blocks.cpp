@@ -13,11 +13,26 @@ PlanarBlockPool::PlanarBlockPool(int bodies, int slots, int hole_j, PlanarExtraR
   hole_.gap = std::numeric_limits<float>::infinity();
 }
 
+void PlanarBlockPool::set_head(int place, const PlanarBlockHead& head) {
+  PlanarGroupHeads& group = heads_[place / planar_group];
+  const int k = place % planar_group, shift = k * planar_lanes;
+  const auto set = [shift](std::uint8_t& of_group, std::uint8_t bits) {
+    of_group = static_cast<std::uint8_t>((of_group & ~(all_of_block << shift)) | bits << shift);
+  };
+  group.i[k] = static_cast<std::uint32_t>(head.i) * planar_stride;
+  group.j[k] = head.j < 0 ? head.j : head.j * planar_stride;
+  group.gap[k] = head.gap;
+  set(group.used, head.used);
+  set(group.alive, head.alive);
+  set(group.full_history, head.full_history);
+  set(group.sliding, head.sliding);
+}
+
 int PlanarBlockPool::add(int part, const PlanarBlockHead& head, int law,
                          const PlanarBlockColdData& cold) {
   const int place = take_hole(part);
   ++filled_;
-  heads_[place] = head;
+  set_head(place, head);
   laws_[place] = law;
   cold_[place] = cold;
   of_body_[head.i].push_back(place);
@@ -26,9 +41,9 @@ int PlanarBlockPool::add(int part, const PlanarBlockHead& head, int law,
 }
 
 void PlanarBlockPool::remove(int place) {
-  const PlanarBlockHead head = heads_[place];
-  forget(head.i, place);
-  if (head.j >= 0) forget(head.j, place);
+  const PlanarBlockHead of_place = head(place);
+  forget(of_place.i, place);
+  if (of_place.j >= 0) forget(of_place.j, place);
   make_hole(place);
   --filled_;
 }
@@ -40,17 +55,17 @@ void PlanarBlockPool::remove_all_of(int body) {
 
 std::size_t PlanarBlockPool::contacts() const {
   std::size_t count = 0;
-  for (const PlanarBlockHead& head : heads_) count += std::bitset<8>(head.alive).count();
+  for (const PlanarGroupHeads& group : heads_) count += std::bitset<8>(group.alive).count();
   return count;
 }
 
 std::pair<int, int> PlanarBlockPool::find(int i, int sphere_i, int j, int sphere_j) const {
   for (const int place : of_body_[i]) {
-    const PlanarBlockHead& head = heads_[place];
-    if (head.i != i || head.j != j) continue;
+    const PlanarBlockHead of_place = head(place);
+    if (of_place.i != i || of_place.j != j) continue;
     const PlanarBlockColdData& cold = cold_[place];
     for (int lane = 0; lane < planar_lanes; ++lane)
-      if ((head.used & 1 << lane) && cold.sphere_i[lane] == sphere_i &&
+      if ((of_place.used & 1 << lane) && cold.sphere_i[lane] == sphere_i &&
           cold.sphere_j[lane] == sphere_j)
         return {place, lane};
   }
@@ -75,7 +90,7 @@ int PlanarBlockPool::take_hole(int part) {
 /// Makes room for `blocks` blocks in whole groups; places from `filled` on become holes.
 void PlanarBlockPool::resize_blocks(int filled, int blocks) {
   const int places = whole_groups(blocks);
-  heads_.resize(places);
+  heads_.resize(places / planar_group);
   all_values_.resize(static_cast<std::size_t>(places) * rows() * planar_lanes);
   laws_.resize(places);
   cold_.resize(places);
@@ -83,7 +98,7 @@ void PlanarBlockPool::resize_blocks(int filled, int blocks) {
 }
 
 void PlanarBlockPool::make_hole(int place) {
-  heads_[place] = hole_;
+  set_head(place, hole_);
   double* const of_place = mutable_values(place);
   std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
   for (int row : {planar_yi, planar_xj, planar_yj}) std::fill_n(of_place + row, planar_lanes, 0.0);

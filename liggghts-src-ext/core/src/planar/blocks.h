@@ -52,7 +52,7 @@ class PlanarBlockPool {
 
   void resize(int bodies) { of_body_.resize(bodies); }
   /// The number of places, holes too.
-  int size() const { return static_cast<int>(heads_.size()); }
+  int size() const { return planar_group * static_cast<int>(heads_.size()); }
   /// The number of blocks.
   int filled() const { return filled_; }
   /// The number of lanes whose spheres are in contact.
@@ -67,7 +67,9 @@ class PlanarBlockPool {
   void remove(int place);
   void remove_all_of(int body);
   /// Sets the smallest gap between the spheres of a block at the reference positions (m).
-  void set_gap(int place, double gap) { heads_[place].gap = rounded_down(gap); }
+  void set_gap(int place, double gap) {
+    heads_[place / planar_group].gap[place % planar_group] = rounded_down(gap);
+  }
   static float rounded_down(double gap) {
     return std::nextafter(static_cast<float>(gap), -std::numeric_limits<float>::infinity());
   }
@@ -111,7 +113,7 @@ class PlanarBlockPool {
   void set_arguments(int part, PlanarForceArguments& forces);
   /// Tangential velocities that a contact remembers.
   int slots() const { return slots_; }
-  const PlanarBlockHead& head(int place) const { return heads_[place]; }
+  PlanarBlockHead head(int place) const { return head_in(heads_, place); }
   /// Index of the constants of the two types of a block.
   int law(int place) const { return laws_[place]; }
   const PlanarBlockColdData& cold(int place) const { return cold_[place]; }
@@ -144,6 +146,23 @@ class PlanarBlockPool {
   }
   int ring_index(int k) const { return ((newest_ + k) % slots_ + slots_) % slots_; }
 
+  static PlanarBlockHead head_in(const AlignedVector<PlanarGroupHeads>& heads, int place) {
+    const PlanarGroupHeads& group = heads[place / planar_group];
+    const int k = place % planar_group;
+    const auto bits = [k](std::uint8_t of_group) {
+      return static_cast<std::uint8_t>(of_group >> k * planar_lanes & all_of_block);
+    };
+    PlanarBlockHead head;
+    head.i = static_cast<std::int32_t>(group.i[k] / planar_stride);
+    head.j = group.j[k] < 0 ? group.j[k] : group.j[k] / planar_stride;
+    head.gap = group.gap[k];
+    head.used = bits(group.used);
+    head.alive = bits(group.alive);
+    head.full_history = bits(group.full_history);
+    head.sliding = bits(group.sliding);
+    return head;
+  }
+  void set_head(int place, const PlanarBlockHead& head);
   int take_hole(int part);
   void resize_blocks(int filled, int blocks);
   void make_hole(int place);
@@ -153,7 +172,7 @@ class PlanarBlockPool {
 
   const int slots_;
   const PlanarExtraRows extra_;
-  AlignedVector<PlanarBlockHead> heads_;
+  AlignedVector<PlanarGroupHeads> heads_;
   AlignedVector<double> all_values_;
   std::vector<int> laws_;
   std::vector<PlanarBlockColdData> cold_;
@@ -174,7 +193,7 @@ class PlanarBlockPool {
   struct SortingWorkspace {
     std::vector<std::pair<std::uint64_t, int>> keys;  // key by which they are sorted, place
     std::vector<int> order;
-    AlignedVector<PlanarBlockHead> heads;
+    AlignedVector<PlanarGroupHeads> heads;
     AlignedVector<double> values;
     std::vector<int> laws;
     std::vector<PlanarBlockColdData> cold;

@@ -60,7 +60,7 @@ class PlanarBodyStates {
   // One step, which leads from `step` to step + 1, for the bodies of a part.
 
   /// Makes the motion that events have found to be missing, and a past for bodies that have none.
-  void prepare(int part, long step);
+  void prepare(int part, long step, PlanarNeighbours& neighbours);
   /// Advances the part from `step`. Sets `to_list` to the bodies that have left their skins, or are
   /// about to do so in `steps_ahead` further steps.
   void advance(int part, long step, const PlanarKernel& kernel, PlanarNeighbours& neighbours,

@@ -40,8 +40,11 @@ void PlanarBodyStates::fill_past(int body, long step) {
   }
 }
 
-void PlanarBodyStates::prepare(int part, long step) {
-  for (int body : missed_[part]) make_missed_motion(body);
+void PlanarBodyStates::prepare(int part, long step, PlanarNeighbours& neighbours) {
+  for (int body : missed_[part]) {
+    neighbours.add_path(body, missed_displacement_[body].d);
+    make_missed_motion(body);
+  }
   missed_[part].clear();
   for (int body : newborn_[part]) fill_past(body, step);
   newborn_[part].clear();

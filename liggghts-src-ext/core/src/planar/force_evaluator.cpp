@@ -43,7 +43,7 @@ PlanarForceArguments PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int 
   PlanarForceArguments forces = PlanarForceArguments();
   pool.set_arguments(part, forces);
   bodies_.set_arguments(forces);
-  forces.moved = neighbours_.moved();
+  forces.travelled = neighbours_.travelled();
   events_.set_arguments(forces);
   forces.laws = laws_.data();
   forces.one_law = laws_.size() == 1;
@@ -57,9 +57,11 @@ PlanarForceArguments PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int 
   if (static_cast<int>(work_.general.size()) < pool.size()) {
     work_.general.resize(pool.size());
     work_.awake.resize(pool.size());
+    work_.awake_jumped.resize(pool.size());
   }
   forces.general = work_.general.data();
   forces.awake = work_.awake.data();
+  forces.awake_jumped = work_.awake_jumped.data();
   return forces;
 }
 

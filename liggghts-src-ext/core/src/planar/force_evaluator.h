@@ -71,7 +71,7 @@ class PlanarForceEvaluator {
   // Memory that the SIMD loop works in.
   struct ForceWorkspace {
     std::vector<PlanarGeneralBlock> general;
-    std::vector<int> awake;
+    std::vector<int> awake, awake_jumped;
   };
   ForceWorkspace work_;
 };

@@ -226,7 +226,7 @@ bool PlanarScene::Data::move(int step, int part) {
     if (halo && halo->update(to_list)) halo->hold_back_sent(dependencies);
     return false;
   }
-  bodies.prepare(part, steps + step);
+  bodies.prepare(part, steps + step, neighbours);
   bodies.advance(part, steps + step, kernel, neighbours, steps_of_pass_ - step, to_list);
   return !to_list.empty();
 }

@@ -21,6 +21,12 @@ constexpr double before_its_skin = 0.98;
 
 constexpr double none = std::numeric_limits<double>::infinity();  // the gap of no candidates
 
+/// No point of a body goes farther than this, m, whose centre goes (x, y), m, and whose farthest
+/// point moves by `turn` about it, m, along x and y.
+double bound_on_motion(Vector2<double> centre, Vector2<double> turn) {
+  return std::sqrt(2.0 * (dot(centre, centre) + dot(turn, turn)));  // |a| + |b| is no more
+}
+
 /// By how much the bound on the motion of a body, which may be the square root of 2 times too
 /// large, grows in a step in which the body goes `displacement` in its frame, m.
 double growth_of_bound(double displacement, const PlanarFrameStep& frame) {
@@ -48,6 +54,7 @@ void PlanarNeighbours::resize(int bodies) {
   std::fill_n(no_bodies.skin, body_lanes, none);
   reference_lanes_.resize(registers, no_bodies);
   moved_.resize(registers * body_lanes);
+  travelled_.resize(registers * body_lanes);
   work_.newest.resize(settings_.walls.size() + bodies, -1);
   blocks_.resize(bodies);
 }
@@ -66,7 +73,7 @@ void PlanarNeighbours::set_reference(int body) {
                        frame.x,
                        frame.y};
   set_lanes(body, -step_ * frame.strain, frame.strain);
-  moved_[body] = 0.0;
+  moved_[body] = travelled_[body] = 0.0;
   const double covered = before_its_skin * skin / growth_of_bound(displacement, frame);
   if (covered < steps_of_listed_) {
     steps_of_listed_ = std::max(1, static_cast<int>(covered));
@@ -151,6 +158,7 @@ void PlanarNeighbours::set_arguments(int steps_ahead, PlanarAdvanceArguments& ar
   arguments.steps_ahead = steps_ahead;
   arguments.references = reference_lanes_.data();
   arguments.moved = moved_.data();
+  arguments.travelled = travelled_.data();
 }
 
 void PlanarNeighbours::list_all() {
@@ -192,17 +200,29 @@ void PlanarNeighbours::remove_ghost(int ghost) {
   if (exist_) grid_.remove(ghost);
 }
 
+void PlanarNeighbours::add_path(int body, const double* displacement) {
+  travelled_[body] += bound_on_motion({displacement[0], displacement[1]},
+                                      {references_[body].at.reach * displacement[2], 0.0});
+}
+
 /// Bounds the motion as the SIMD loop does that advances the bodies of this rank.
-bool PlanarNeighbours::follow_ghost(int ghost) {
+bool PlanarNeighbours::follow_ghost(int ghost, const PlanarKinematics& before) {
   const PlanarKinematics& kinematics = bodies_.kinematics(ghost);
   const PlanarReference at = reference(ghost);
   const PlanarReferenceLanes& lanes = reference_lanes_[ghost / body_lanes];
   const int lane = ghost % body_lanes;
-  const double rx = kinematics.x - at.x, ry = kinematics.y - at.y;
-  const double tc = kinematics.cosine - at.cosine, ts = kinematics.sine - at.sine;
+  const auto bound = [&](double x, double y, double cosine, double sine) {
+    return bound_on_motion(
+        {kinematics.x - x, kinematics.y - y},
+        {at.reach * (kinematics.cosine - cosine), at.reach * (kinematics.sine - sine)});
+  };
   double& moved = moved_[ghost];
-  moved = std::sqrt(2.0 * (rx * rx + ry * ry + at.reach * at.reach * (tc * tc + ts * ts))) +
-          lanes.strain[lane] + step_ * lanes.strain_step[lane];
+  moved =
+      bound(at.x, at.y, at.cosine, at.sine) + lanes.strain[lane] + step_ * lanes.strain_step[lane];
+  const MovingReference& frame = references_[ghost];
+  travelled_[ghost] +=
+      bound(before.x + frame.step_x, before.y + frame.step_y, before.cosine, before.sine) +
+      lanes.strain_step[lane];
   return exist_ && moved > before_its_skin * at.skin;
 }
 

@@ -47,8 +47,9 @@ class PlanarNeighbours {
   /// Takes in a new ghost; it has to be listed with list_anew() if lists exist already.
   void add_ghost(int ghost);
   void remove_ghost(int ghost);
-  /// Notes how far a ghost has moved; returns whether it has to be listed anew.
-  bool follow_ghost(int ghost);
+  /// Notes how far a ghost has moved in a step, before which it was at `before`; returns whether it
+  /// has to be listed anew.
+  bool follow_ghost(int ghost, const PlanarKinematics& before);
 
   /// The number of steps in which no body moves by more than its skin, at least 1.
   int steps_within_skins() const { return steps_within_skins_; }
@@ -63,8 +64,12 @@ class PlanarNeighbours {
   /// Sets what the SIMD loop needs to find the bodies that have left their skin, or will in
   /// `steps_ahead` further steps.
   void set_arguments(int steps_ahead, PlanarAdvanceArguments& arguments);
-  /// Upper bounds on how far each body has moved since it was listed, m.
+  /// Notes a displacement (m, m, rad) of a body beside that of its step.
+  void add_path(int body, const double* displacement);
+  /// Upper bounds on how far each body is from where it was listed, in its frame, m.
   const double* moved() const { return moved_.data(); }
+  /// Upper bounds on the path on which each body has gone there, m.
+  const double* travelled() const { return travelled_.data(); }
   /// The number of lists of single bodies that were made anew.
   long listings() const { return listings_; }
 
@@ -118,7 +123,7 @@ class PlanarNeighbours {
   };
   AlignedVector<MovingReference> references_;
   AlignedVector<PlanarReferenceLanes> reference_lanes_;
-  AlignedVector<double> moved_;
+  AlignedVector<double> moved_, travelled_;
 
   // Memory that listing works in.
   struct ListingWorkspace {

@@ -15,10 +15,11 @@ void PlanarGhosts::choose(const std::vector<PlanarBody>& chosen, std::vector<int
   for (const PlanarBody& body : chosen) {
     const auto known = of_tag_.find(body.tag);
     const int ghost = known == of_tag_.end() ? new_ghost() : known->second;
+    const PlanarKinematics before = bodies_.kinematics(ghost);
     bodies_.set_ghost(ghost, body);
     if (body.jumped) events_.set_jumped(ghost, body.jump);
     if (known != of_tag_.end()) {
-      if (neighbours_.follow_ghost(ghost)) to_list.push_back(ghost);
+      if (neighbours_.follow_ghost(ghost, before)) to_list.push_back(ghost);
       continue;
     }
     of_tag_[body.tag] = ghost;
@@ -61,8 +62,9 @@ int PlanarGhosts::new_ghost() {
 }
 
 void PlanarGhosts::move(int ghost, const PlanarKinematics& kinematics, std::vector<int>& to_list) {
+  const PlanarKinematics before = bodies_.kinematics(ghost);
   bodies_.move_ghost(ghost, kinematics);
-  if (neighbours_.follow_ghost(ghost)) to_list.push_back(ghost);
+  if (neighbours_.follow_ghost(ghost, before)) to_list.push_back(ghost);
 }
 
 }  // namespace rodpack

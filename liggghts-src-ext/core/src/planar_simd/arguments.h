@@ -45,7 +45,7 @@ struct PlanarWallLine {
 /// Arguments of the loops over blocks, which evaluate the contacts on the fast path.
 struct PlanarForceArguments {
   // Blocks, their numbers (block_layout.h) and the indices of their constants.
-  PlanarBlockHead* heads;
+  PlanarGroupHeads* heads;
   double* values;
   const int* block_laws;
   int rows;  // of the numbers of a group
@@ -60,7 +60,7 @@ struct PlanarForceArguments {
   int weight_i, weight_j;             // of the contacts' weights; 0 without mass scaling
   // Bodies.
   const PlanarKinematics* kinematics;
-  const double* moved;  // since their reference position, an upper bound, m
+  const double* travelled;  // paths since they were listed, upper bounds, m
   PlanarVector* loads;  // the forces are added to them, with mass scaling the weights to the fourth
   // Whether a body had an event in the step before (null: none had), and what it did to its motion;
   // what changes in this step, and by how much.
@@ -79,7 +79,7 @@ struct PlanarForceArguments {
   bool follows;                                // whether events are corrected for
   // Room for an entry for each block.
   PlanarGeneralBlock* general;
-  int* awake;
+  int *awake, *awake_jumped;
 };
 
 /// Reference state of a body: where its neighbour list was made the last time, and with which skin.
@@ -103,10 +103,9 @@ static_assert(offsetof(PlanarWallLine, along_x) == 0 && offsetof(PlanarWallLine,
                   offsetof(PlanarWallLine, position) == 16 &&
                   offsetof(PlanarWallLine, free_side) == 24,
               "kernel_bodies.h reads walls as four doubles in this order");
-static_assert(offsetof(PlanarBlockHead, used) + 1 == offsetof(PlanarBlockHead, alive) &&
-                  offsetof(PlanarBlockHead, used) + 2 == offsetof(PlanarBlockHead, full_history) &&
-                  offsetof(PlanarBlockHead, used) + 3 == offsetof(PlanarBlockHead, sliding),
-              "kernel.h reads these four bytes as one number, in this order");
+static_assert(sizeof(PlanarVector) == planar_stride &&
+                  sizeof(PlanarKinematics) == 2 * planar_stride,
+              "kernel.h finds loads and kinematics by the distance of vectors");
 
 constexpr int body_lanes = 4;  // bodies that the SIMD loop advances at a time
 
@@ -139,8 +138,10 @@ struct PlanarAdvanceArguments {
   const PlanarReferenceLanes* references;
   double steps_since;  // made with this one, since the reference states were those
   int steps_ahead;     // a body that will leave its skin in so many further steps is listed now
-  double* moved;       // since the reference position, an upper bound, m; room for whole registers
-  int* to_list;        // becomes the bodies to be listed anew; room for all
+  // Upper bounds, m, with room for whole registers: how far from the reference position each body
+  // is; the path since it was listed, to which that of this step is added.
+  double *moved, *travelled;
+  int* to_list;  // becomes the bodies to be listed anew; room for all
 };
 
 /// The SIMD loops for one set of processor instructions.

@@ -13,20 +13,34 @@ namespace rodpack {
 constexpr int planar_lanes = 2;  // SIMD lanes of a block
 constexpr int planar_group = 4;  // blocks of a group, as many as the widest registers take
 constexpr int planar_row = planar_group * planar_lanes;
+constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
 
 inline int whole_groups(int blocks) {
   return (blocks + planar_group - 1) / planar_group * planar_group;
 }
 
 /// The part of a block that tells whether anything happens in it. The second body may be a wall.
-struct alignas(16) PlanarBlockHead {
+struct PlanarBlockHead {
   std::int32_t i, j;  // bodies; j = -1 - wall
-  // The smallest gap between the spheres of its pairs at the reference positions of the two bodies,
-  // where each of them was listed last, m.
+  // The smallest gap between the spheres of its pairs, and what the two bodies had travelled when
+  // it was that; first that at their reference positions, where each of them was listed last, m.
+  // They cannot touch before both together have travelled so far.
   float gap;
-  // One bit for each lane, read by the inner loops as one number. used: the lane holds a candidate
-  // pair; alive: its spheres were in contact in the last step; full_history: the contact has lasted
-  // for so many steps that its history is full; sliding: it slid in the last step.
+  // One bit for each lane. used: the lane holds a candidate pair; alive: its spheres were in
+  // contact in the last step; full_history: the contact has lasted for so many steps that its
+  // history is full; sliding: it slid in the last step.
+  std::uint8_t used, alive, full_history, sliding;
+};
+
+constexpr int planar_stride_bits = 5, planar_stride = 1 << planar_stride_bits;  // bytes of a vector
+
+/// The heads of the blocks of a group, as the SIMD loops take them: the bodies as distances in
+/// bytes among the vectors of all bodies, the second one of a wall as it is; the bits of all lanes
+/// side by side.
+struct alignas(64) PlanarGroupHeads {
+  std::uint32_t i[planar_group];
+  std::int32_t j[planar_group];
+  float gap[planar_group];
   std::uint8_t used, alive, full_history, sliding;
 };
 

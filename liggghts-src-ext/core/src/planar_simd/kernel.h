@@ -15,10 +15,43 @@ struct LaneContacts {
   typedef LaneMask Mask;
 };
 
-constexpr int all_of_block = (1 << planar_lanes) - 1;  // bits of its lanes
-
 /// A pointer to a constant structure for each block of a register.
 typedef const double* const BlockConstants[lane_blocks];
+
+/// The heads of the blocks in a register.
+struct LaneHeads {
+  PlanarGroupHeads& group;
+  const int first;  // of the blocks in the group
+
+  LaneHeads(const PlanarForceArguments& forces, int block)
+      : group(forces.heads[block / planar_group]),
+        first(lane_blocks == planar_group ? 0 : block % planar_group) {}
+  /// Of each block, as PlanarGroupHeads has it.
+  const std::uint32_t* i() const { return group.i + first; }
+  const std::int32_t* j() const { return group.j + first; }
+  float* gap() const { return group.gap + first; }
+  /// The indices of the bodies of block b; negative: a wall.
+  int body_i(int b) const { return static_cast<int>(i()[b] / planar_stride); }
+  int body_j(int b) const { return j()[b] < 0 ? j()[b] : j()[b] / planar_stride; }
+  /// Some of the bits that it keeps, of the lanes in the register.
+  int bits(std::uint8_t of_group) const { return of_group >> first * planar_lanes & all; }
+  void set_sliding(int sliding) const {
+    const int shift = first * planar_lanes;
+    group.sliding = static_cast<std::uint8_t>((group.sliding & ~(all << shift)) | sliding << shift);
+  }
+
+ private:
+  static constexpr int all = (1 << lane_blocks * planar_lanes) - 1;
+};
+
+/// The kinematics of a body of a pair, and the load on it.
+inline const double* kinematics_at(const PlanarForceArguments& forces, std::uint32_t place) {
+  return reinterpret_cast<const double*>(reinterpret_cast<const char*>(forces.kinematics) +
+                                         2 * static_cast<std::size_t>(place));
+}
+inline double* load_at(const PlanarForceArguments& forces, std::uint32_t place) {
+  return reinterpret_cast<double*>(reinterpret_cast<char*>(forces.loads) + place);
+}
 
 /// Values of the blocks from `first` on, which is a multiple of lane_blocks.
 inline double* values_of(const PlanarForceArguments& forces, int first) {
@@ -110,15 +143,15 @@ inline LaneForces lasting_forces(int first, double* values, const LaneMotion& mo
   if (forces.kept > 0.0) relax(values, forces, contact);
   const LastingForce<LaneContacts> force = lasting_force<Load>(contact, zero, forces.follows);
 
-  LaneMask acts = lanes_of_bits(lasting);
   LaneForces result;
-  result.general = 0;
-  if (forces.follows) {
-    const LaneMask leaves = force.changes | unfit;
-    result.general = lane_bits(leaves & acts);
-    acts = acts & ~leaves;
+  result.general = forces.follows ? lane_bits(force.changes | unfit) & lasting : 0;
+  result.acts = lasting;
+  // A branch, since it is hardly ever taken: else the forces would wait for what it asks.
+  if (__builtin_expect(result.general != 0, 0)) {
+    result.acts = lasting & ~result.general;
+    __asm__ volatile("");  // the compiler would do without the branch
   }
-  result.acts = lasting & ~result.general;
+  const LaneMask acts = lanes_of_bits(result.acts);
   result.pushes = lane_bits(force.pushes);
   result.slides = lane_bits(force.slides);
   result.normal = lane_choice(acts, force.normal, zero);
@@ -152,26 +185,6 @@ inline LaneBody bodies_of(BlockConstants& body, const double* offset_x, const do
   return of;
 }
 
-/// The bits of PlanarBlockHead, with the lanes of the blocks side by side. full_history: lanes
-/// whose contact has lasted until its history is full.
-struct LaneFlags {
-  int used, alive, full_history, sliding;
-};
-inline LaneFlags flags_of(const PlanarBlockHead* heads) {
-  unsigned all = 0;
-  for (int b = 0; b < lane_blocks; ++b) {
-    unsigned flags;
-    __builtin_memcpy(&flags, &heads[b].used, sizeof flags);
-    all |= flags << b * planar_lanes;
-  }
-  return {static_cast<int>(all & 255), static_cast<int>(all >> 8 & 255),
-          static_cast<int>(all >> 16 & 255), static_cast<int>(all >> 24)};
-}
-inline void set_sliding(PlanarBlockHead* heads, int sliding) {
-  for (int b = 0; b < lane_blocks; ++b)
-    heads[b].sliding = static_cast<std::uint8_t>(sliding >> b * planar_lanes & all_of_block);
-}
-
 /// Adds the forces `on_i` of the contacts in a register, and the weights of those that act, to the
 /// loads on their bodies.
 inline void add_forces(const LaneMotion& motion, Vector2<Lanes> on_i, int acts,
@@ -189,27 +202,47 @@ inline void add_forces(const LaneMotion& motion, Vector2<Lanes> on_i, int acts,
   add_weighted_loads(on_i.x, on_i.y, about_i, about_j, weight_i, weight_j, load_i, load_j);
 }
 
+/// Sets how far the bodies of each block may travel before its spheres, which are apart now, can
+/// meet: what they have travelled, and the gap. Of the sums of the radii `reach` it takes off a
+/// part that no rounding of the positions reaches in the life of a list.
+inline void set_gaps(const LaneHeads& heads, Lanes square, Lanes reach,
+                     const PlanarForceArguments& forces) {
+  Lanes r, inverse;
+  lane_roots(square, r, inverse);
+  alignas(64) double gaps[lane_blocks * planar_lanes];
+  store_lanes(gaps, lane_choice(lanes_of_bits(heads.bits(heads.group.used)),
+                                r - (1.0 + 1e-9) * reach, all_lanes(1e300)));
+  for (int b = 0; b < lane_blocks; ++b) {
+    const double *const gap = gaps + b * planar_lanes, smallest = gap[0] < gap[1] ? gap[0] : gap[1];
+    const double way =
+        forces.travelled[heads.body_i(b)] + forces.travelled[heads.body_j(b)] + smallest;
+    heads.gap()[b] = static_cast<float>((1.0 - 1e-7) * way);  // never rounded up
+  }
+}
+
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
 /// general path.
 template <class Load, class Jumps>
 inline __attribute__((always_inline)) int evaluate_blocks(int first,
                                                           const PlanarForceArguments& forces) {
-  PlanarBlockHead* const heads = forces.heads + first;
+  const LaneHeads heads(forces, first);
   double* const values = values_of(forces, first);
   const double *body_i[lane_blocks], *body_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    body_i[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
-    body_j[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].j]);
+    body_i[b] = kinematics_at(forces, heads.i()[b]);
+    body_j[b] = kinematics_at(forces, heads.j()[b]);
   }
   const LaneBody i = bodies_of(body_i, values + planar_xi, values + planar_yi);
   const LaneBody j = bodies_of(body_j, values + planar_xj, values + planar_yj);
   const Lanes dx = (i.x - j.x) + (i.arm.x - j.arm.x), dy = (i.y - j.y) + (i.arm.y - j.arm.y);
   const Lanes square = dx * dx + dy * dy, reach = i.radius + j.radius;
-  const LaneFlags flags = flags_of(heads);
-  const int touching = lane_bits(lane_less(square, reach * reach)) & flags.used;
-  const int here = touching | flags.alive;
-  if (here == 0) return 0;
-  const int lasting = touching & flags.full_history;
+  const int touching = lane_bits(lane_less(square, reach * reach)) & heads.bits(heads.group.used);
+  const int here = touching | heads.bits(heads.group.alive);
+  if (here == 0) {
+    set_gaps(heads, square, reach, forces);
+    return 0;
+  }
+  const int lasting = touching & heads.bits(heads.group.full_history);
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
@@ -225,15 +258,15 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   const Vector2<Lanes> of_centres = {i.velocity_x - j.velocity_x, i.velocity_y - j.velocity_y};
   set_velocities(motion, velocity_at(velocity_at(of_centres, i.spin, motion.lever_i), -j.spin,
                                      motion.lever_j));
-  int sliding = flags.sliding;
+  int sliding = heads.bits(heads.group.sliding);
   const Jumps jumps = Jumps::of(heads, values, motion, forces);
   const LaneForces force =
       lasting_forces<Load>(first, values, motion, lasting, sliding, jumps, forces);
-  set_sliding(heads, sliding);
+  heads.set_sliding(sliding);
   double *load_i[lane_blocks], *load_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    load_i[b] = forces.loads[heads[b].i].d;
-    load_j[b] = forces.loads[heads[b].j].d;
+    load_i[b] = load_at(forces, heads.i()[b]);
+    load_j[b] = load_at(forces, heads.j()[b]);
   }
   add_forces(motion, in_space(motion.normal, force.normal, force.tangential), force.acts, values,
              load_i, load_j, forces);
@@ -258,36 +291,48 @@ inline void enter_general(int first, int general, const PlanarForceArguments& fo
       forces.general[entries++] = {first + b, general & all_of_block};
 }
 
-/// Lists where lane_blocks begin: all that touch, and those of the others in which spheres may have
-/// met: since they were listed both bodies together have moved by the gap. Without branches, as
-/// there is no telling which.
+/// Lists where the registers begin that have to be evaluated: all that touch, and those of the
+/// others that may. Without branches, as there is no telling which.
 inline int find_awake(const PlanarForceArguments& forces) {
   int count = 0;
   for (int first = forces.touching.first; first < forces.touching.end; first += lane_blocks)
     forces.awake[count++] = first;
   for (int first = forces.others.first; first < forces.others.end; first += lane_blocks) {
-    int awake = 0;
-    for (int b = 0; b < lane_blocks; ++b) {
-      const PlanarBlockHead& head = forces.heads[first + b];
-      const bool asleep = forces.moved[head.i] + forces.moved[head.j] < head.gap;
-      awake |= (head.alive != 0) | !asleep;
-    }
+    const LaneHeads heads(forces, first);
     forces.awake[count] = first;
-    count += awake;
+    count += (heads.bits(heads.group.alive) != 0) |
+             any_has_met(forces.travelled, heads.i(), heads.j(), heads.gap());
   }
   return count;
 }
 
-template <class Load>
-int evaluate_pairs(const PlanarForceArguments& forces) {
-  int entries = 0;
-  const int count = find_awake(forces);
+/// Moves those of bodies that had an event in the step before from this list, whose length is
+/// given, to one of their own; returns how many.
+inline int set_jumped_apart(const PlanarForceArguments& forces, int& count) {
+  if (!forces.jumped) return 0;
+  int plain = 0, jumped = 0;
   for (int k = 0; k < count; ++k) {
     const int first = forces.awake[k];
-    const int general = have_jumped(forces.heads + first, forces)
-                            ? evaluate_jumped_blocks<Load>(first, forces)
-                            : evaluate_blocks<Load, NoJumps>(first, forces);
-    if (general != 0) enter_general(first, general, forces, entries);
+    const int has_jumped = have_jumped(LaneHeads(forces, first), forces);
+    forces.awake[plain] = forces.awake_jumped[jumped] = first;
+    plain += 1 - has_jumped;
+    jumped += has_jumped;
+  }
+  count = plain;
+  return jumped;
+}
+
+template <class Load>
+int evaluate_pairs(const PlanarForceArguments& forces) {
+  int entries = 0, plain = find_awake(forces);
+  const int jumped = set_jumped_apart(forces, plain);
+  for (int k = 0; k < plain; ++k) {
+    const int first = forces.awake[k];
+    enter_general(first, evaluate_blocks<Load, NoJumps>(first, forces), forces, entries);
+  }
+  for (int k = 0; k < jumped; ++k) {
+    const int first = forces.awake_jumped[k];
+    enter_general(first, evaluate_jumped_blocks<Load>(first, forces), forces, entries);
   }
   return entries;
 }

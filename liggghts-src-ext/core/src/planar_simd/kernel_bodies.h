@@ -5,12 +5,12 @@
 /// the general path.
 template <class Load, class Jumps>
 inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
-  PlanarBlockHead* const heads = forces.heads + first;
+  const LaneHeads heads(forces, first);
   double* const values = values_of(forces, first);
   const double *body[lane_blocks], *wall[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    body[b] = reinterpret_cast<const double*>(&forces.kinematics[heads[b].i]);
-    wall[b] = reinterpret_cast<const double*>(&forces.walls[-1 - heads[b].j]);
+    body[b] = kinematics_at(forces, heads.i()[b]);
+    wall[b] = reinterpret_cast<const double*>(&forces.walls[-1 - heads.j()[b]]);
   }
   const LaneBody i = bodies_of(body, values + planar_xi, values + planar_yi);
   Lanes along_x, along_y, position, free_side;
@@ -19,11 +19,11 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   const Lanes zero = all_lanes(0.0);
   const Lanes own_side = lane_choice(lane_less(distance, zero), all_lanes(-1.0), all_lanes(1.0));
   const Lanes side = lane_choice(lane_less(zero, free_side * free_side), free_side, own_side);
-  const LaneFlags flags = flags_of(heads);
-  const int touching = ~lane_bits(lane_less(i.radius, distance * side)) & flags.used;
-  const int here = touching | flags.alive;
+  const int touching =
+      ~lane_bits(lane_less(i.radius, distance * side)) & heads.bits(heads.group.used);
+  const int here = touching | heads.bits(heads.group.alive);
   if (here == 0) return 0;
-  const int lasting = touching & flags.full_history;
+  const int lasting = touching & heads.bits(heads.group.full_history);
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
@@ -37,15 +37,15 @@ inline int evaluate_wall_blocks(int first, const PlanarForceArguments& forces) {
   motion.lever_j = still;
   const Vector2<Lanes> of_centre = {i.velocity_x, i.velocity_y};
   set_velocities(motion, velocity_at(of_centre, i.spin, motion.lever_i));
-  int sliding = flags.sliding;
+  int sliding = heads.bits(heads.group.sliding);
   const Jumps jumps = Jumps::of(heads, values, motion, forces);
   const LaneForces force =
       lasting_forces<Load>(first, values, motion, lasting, sliding, jumps, forces);
-  set_sliding(heads, sliding);
+  heads.set_sliding(sliding);
   alignas(64) PlanarVector on_walls = PlanarVector();
   double *load[lane_blocks], *load_of_wall[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    load[b] = forces.loads[heads[b].i].d;
+    load[b] = load_at(forces, heads.i()[b]);
     load_of_wall[b] = on_walls.d;
   }
   add_forces(motion, in_space(motion.normal, force.normal, force.tangential), force.acts, values,
@@ -60,7 +60,7 @@ int evaluate_walls(const PlanarForceArguments& forces) {
   int entries = 0;
   for (const PlanarRange& range : {forces.touching, forces.others})
     for (int first = range.first; first < range.end; first += lane_blocks) {
-      const int general = have_jumped(forces.heads + first, forces)
+      const int general = have_jumped_at_wall(LaneHeads(forces, first), forces)
                               ? evaluate_wall_blocks<Load, LaneJumps>(first, forces)
                               : evaluate_wall_blocks<Load, NoJumps>(first, forces);
       if (general != 0) enter_general(first, general, forces, entries);
@@ -157,15 +157,20 @@ int advance(const PlanarAdvanceArguments& arguments) {
     const Lanes rx = x - (load_lanes(at.x) + made * step_x),
                 ry = y - (load_lanes(at.y) + made * step_y);
     const Lanes tc = pose[2] - load_lanes(at.cosine), ts = pose[3] - load_lanes(at.sine);
-    const Lanes reach = load_lanes(at.reach);
+    const Lanes reach = load_lanes(at.reach), strain_step = load_lanes(at.strain_step);
     const auto square_of_bound = [&](Lanes dx, Lanes dy, Lanes dcosine, Lanes dsine) {
       const Lanes turn = reach * reach * (dcosine * dcosine + dsine * dsine);
       return 2.0 * (dx * dx + dy * dy + turn);  // |a| + |b| <= sqrt(2 (a^2 + b^2))
     };
-    const Lanes strain_step = load_lanes(at.strain_step);
     const Lanes strain = load_lanes(at.strain) + made * strain_step;
     const Lanes moved = lane_sqrt(square_of_bound(rx, ry, tc, ts)) + strain;
     store_lanes(arguments.moved + first, moved);
+    // A turn's chord is no longer than its arc. Lanes beyond the last body get some path too many.
+    const Lanes path = lane_sqrt(square_of_bound(arguments.dt * motion[0] - step_x,
+                                                 arguments.dt * motion[1] - step_y,
+                                                 arguments.dt * motion[2], all_lanes(0.0)));
+    double* const travelled = arguments.travelled + first;
+    store_lanes(travelled, load_lanes(travelled) + (path + strain_step));
     const Lanes will_move =
         square_of_bound(rx + ahead[0] - more * step_x, ry + ahead[1] - more * step_y,
                         tc - ahead[2] * pose[3], ts + ahead[2] * pose[2]);

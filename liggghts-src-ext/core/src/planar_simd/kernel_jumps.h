@@ -30,12 +30,19 @@ inline SideJump side_jump(BlockConstants& of, const double* x, const double* y, 
   return {velocity_at(a, aw, lever), velocity_at(v, vw, lever), velocity_at(d, dw, lever)};
 }
 
-/// Whether a body of the blocks had an event in the step before.
-inline bool have_jumped(const PlanarBlockHead* heads, const PlanarForceArguments& forces) {
-  if (!forces.jumped) return false;
+/// Whether a body of the blocks had an event in the step before: 0 or 1.
+inline int have_jumped(const LaneHeads& heads, const PlanarForceArguments& forces) {
   int jumped = 0;
   for (int b = 0; b < lane_blocks; ++b)
-    jumped |= forces.jumped[heads[b].i] | (heads[b].j < 0 ? 0 : forces.jumped[heads[b].j]);
+    jumped |= forces.jumped[heads.i()[b] / planar_stride] |
+              forces.jumped[static_cast<std::uint32_t>(heads.j()[b]) / planar_stride];
+  return jumped != 0;
+}
+/// The same of blocks of walls.
+inline bool have_jumped_at_wall(const LaneHeads& heads, const PlanarForceArguments& forces) {
+  if (!forces.jumped) return false;
+  int jumped = 0;
+  for (int b = 0; b < lane_blocks; ++b) jumped |= forces.jumped[heads.body_i(b)];
   return jumped != 0;
 }
 
@@ -45,14 +52,14 @@ struct LaneJumps {
   JumpAlong<Lanes> normal, tangential;
   int lanes;  // of the blocks whose bodies have jumped; the others' jumps are 0
 
-  static LaneJumps of(const PlanarBlockHead* heads, const double* values, const LaneMotion& motion,
+  static LaneJumps of(const LaneHeads& heads, const double* values, const LaneMotion& motion,
                       const PlanarForceArguments& forces) {
     static const PlanarJump none = PlanarJump();
     const double *of_i[lane_blocks], *of_j[lane_blocks];
     LaneJumps jumps;
     jumps.lanes = 0;
     for (int b = 0; b < lane_blocks; ++b) {
-      const int i = heads[b].i, j = heads[b].j;
+      const int i = heads.body_i(b), j = heads.body_j(b);
       const bool i_has = forces.jumped[i] != 0, j_has = j >= 0 && forces.jumped[j] != 0;
       of_i[b] = reinterpret_cast<const double*>(i_has ? &forces.jumps[i] : &none);
       of_j[b] = reinterpret_cast<const double*>(j_has ? &forces.jumps[j] : &none);
@@ -78,7 +85,7 @@ struct LaneJumps {
 /// Stands for the jumps of contacts whose bodies had none.
 struct NoJumps {
   static constexpr bool any = false;
-  static NoJumps of(const PlanarBlockHead*, const double*, const LaneMotion&,
+  static NoJumps of(const LaneHeads&, const double*, const LaneMotion&,
                     const PlanarForceArguments&) {
     return {};
   }
@@ -151,9 +158,9 @@ inline ChangeMoments<Lanes> torque_about(const LaneSide& side,
 
 /// Adds up over the bodies by how much the dashpots of contacts that act have missed the jumps:
 /// those of the normal where the contact pushes, those of the tangent where it sticks.
-inline void report_jumps(const PlanarBlockHead* heads, const LaneMotion& motion,
-                         const LaneBodies& bodies, const double* values, const LaneForces& force,
-                         const LaneJumps& jumps, const PlanarForceArguments& forces) {
+inline void report_jumps(const LaneHeads& heads, const LaneMotion& motion, const LaneBodies& bodies,
+                         const double* values, const LaneForces& force, const LaneJumps& jumps,
+                         const PlanarForceArguments& forces) {
   const int feel = force.acts & jumps.lanes & (force.pushes | ~force.slides);
   if (feel == 0) return;
   const double* gammas[lane_blocks];
@@ -183,7 +190,7 @@ inline void report_jumps(const PlanarBlockHead* heads, const LaneMotion& motion,
                              about_j = torque_about(side_j, on_i, motion, turn);
   PlanarChangeSums on_walls = PlanarChangeSums(), *of_i[lane_blocks], *of_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    const int i = heads[b].i, j = heads[b].j;
+    const int i = heads.body_i(b), j = heads.body_j(b);
     of_i[b] = &forces.changes[i];
     of_j[b] = j < 0 ? &on_walls : &forces.changes[j];
     if ((feel >> b * planar_lanes & all_of_block) == 0) continue;
@@ -205,6 +212,5 @@ inline void report_jumps(const PlanarBlockHead* heads, const LaneMotion& motion,
   add(&PlanarChangeSums::impulse_integral, on_i.impulse_integral, about_i.impulse_integral,
       about_j.impulse_integral);
 }
-inline void report_jumps(const PlanarBlockHead*, const LaneMotion&, const LaneBodies&,
-                         const double*, const LaneForces&, const NoJumps&,
-                         const PlanarForceArguments&) {}
+inline void report_jumps(const LaneHeads&, const LaneMotion&, const LaneBodies&, const double*,
+                         const LaneForces&, const NoJumps&, const PlanarForceArguments&) {}

@@ -58,12 +58,7 @@ inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& f
   first = (Lanes)_mm256_movedup_pd(both);
   second = (Lanes)_mm256_permute_pd(both, 0b1111);
 }
-/// The same of four numbers.
-inline void each_four(const double* const (&of)[lane_blocks], int index, Lanes& first,
-                      Lanes& second, Lanes& third, Lanes& fourth) {
-  each_two(of, index, first, second);
-  each_two(of, index + 2, third, fourth);
-}
+#include "lanes_of_two_blocks.h"
 
 /// Adds the sums over the lanes of a block: a, b and c to one load, -a, -b and -d to the other,
 /// whose last values may become anything.

@@ -118,3 +118,18 @@ inline void add_weighted_loads(Lanes a, Lanes b, Lanes c, Lanes d, Lanes weight_
     _mm256_store_pd(on_j[k], _mm256_sub_pd(_mm256_load_pd(on_j[k]), of_j[k]));
   }
 }
+
+/// Whether the bodies of some block, i and j as PlanarGroupHeads has them, have travelled as far as
+/// its gap together, m.
+inline bool any_has_met(const double* travelled, const std::uint32_t* i, const std::int32_t* j,
+                        const float* gap) {
+  const auto four = [](const void* places) {
+    return _mm_load_si128(static_cast<const __m128i*>(places));
+  };
+  const __m256i places = _mm256_inserti128_si256(_mm256_castsi128_si256(four(i)), four(j), 1);
+  const __m256i bodies = _mm256_srli_epi32(places, planar_stride_bits);
+  const __m512d of_both = _mm512_i32gather_pd(bodies, travelled, sizeof(double));
+  const __m256d together =
+      _mm256_add_pd(_mm512_castpd512_pd256(of_both), _mm512_extractf64x4_pd(of_both, 1));
+  return _mm256_cmp_pd_mask(together, _mm256_cvtps_pd(_mm_load_ps(gap)), _CMP_NLT_UQ) != 0;
+}

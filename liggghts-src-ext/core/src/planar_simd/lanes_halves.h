@@ -98,12 +98,7 @@ inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& f
   first = {of[0][index], of[0][index], of[1][index], of[1][index]};
   second = {of[0][index + 1], of[0][index + 1], of[1][index + 1], of[1][index + 1]};
 }
-/// The same of four numbers.
-inline void each_four(const double* const (&of)[lane_blocks], int index, Lanes& first,
-                      Lanes& second, Lanes& third, Lanes& fourth) {
-  each_two(of, index, first, second);
-  each_two(of, index + 2, third, fourth);
-}
+#include "lanes_of_two_blocks.h"
 
 /// The sums of x and y over the lanes of a block.
 inline HalfLanes sums_of_lanes(HalfLanes x, HalfLanes y) {
