@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Sets the machine up, builds, and measures; results in build/benchmark, ratios in benchmark.json there.
-# Leave the machine alone meanwhile: one to two hours, half of it for packings and a deposition that are made once.
+# Leave the machine alone meanwhile: two hours or so, most of it for packings and depositions that are made once.
 #
 #   tests/benchmark/run.sh     coarse graining: accuracy against time, 9000 rods (the packing four times
 #                              side by side), one core; planar engine: steps (planar_engine.sh), whole

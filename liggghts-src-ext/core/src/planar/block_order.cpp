@@ -42,6 +42,7 @@ void PlanarBlockPool::sort(const PlanarParts& parts) {
 }
 
 void PlanarBlockPool::reorder(const std::vector<int>& order) {
+  settle();
   heads_.swap(work_.heads);
   laws_.swap(work_.laws);
   all_values_.swap(work_.values);

@@ -28,11 +28,23 @@ void PlanarBlockPool::set_head(int place, const PlanarBlockHead& head) {
   set(group.sliding, head.sliding);
 }
 
+void PlanarBlockPool::set_fresh(int place) {
+  PlanarGroupHeads& group = heads_[place / planar_group];
+  if (group.fresh == 0) fresh_groups_.push_back(place / planar_group);
+  group.fresh = static_cast<std::uint8_t>(group.fresh | 1 << place % planar_group);
+}
+
+void PlanarBlockPool::settle() {
+  for (const int group : fresh_groups_) heads_[group].fresh = 0;
+  fresh_groups_.clear();
+}
+
 int PlanarBlockPool::add(int part, const PlanarBlockHead& head, int law,
                          const PlanarBlockColdData& cold) {
   const int place = take_hole(part);
   ++filled_;
   set_head(place, head);
+  set_fresh(place);
   laws_[place] = law;
   cold_[place] = cold;
   of_body_[head.i].push_back(place);
@@ -147,6 +159,10 @@ bool PlanarBlocks::restore(const PlanarLaneState& contact) {
 
 void PlanarBlocks::age(int steps) {
   for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->age(steps);
+}
+
+void PlanarBlocks::settle() {
+  for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) pool->settle();
 }
 
 void PlanarBlocks::look_ahead(int steps) {

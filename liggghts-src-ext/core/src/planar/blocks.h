@@ -66,10 +66,14 @@ class PlanarBlockPool {
   /// Makes the place of a block a hole.
   void remove(int place);
   void remove_all_of(int body);
-  /// Sets the smallest gap between the spheres of a block at the reference positions (m).
+  /// Sets the smallest gap between the spheres of a block at the reference positions (m). The SIMD
+  /// loops leave it, and that of a new block, until settle().
   void set_gap(int place, double gap) {
     heads_[place / planar_group].gap[place % planar_group] = rounded_down(gap);
+    set_fresh(place);
   }
+  /// All bodies are at the same step: what was listed in the pass is like all other blocks now.
+  void settle();
   static float rounded_down(double gap) {
     return std::nextafter(static_cast<float>(gap), -std::numeric_limits<float>::infinity());
   }
@@ -163,6 +167,7 @@ class PlanarBlockPool {
     return head;
   }
   void set_head(int place, const PlanarBlockHead& head);
+  void set_fresh(int place);
   int take_hole(int part);
   void resize_blocks(int filled, int blocks);
   void make_hole(int place);
@@ -183,6 +188,7 @@ class PlanarBlockPool {
   };
   std::vector<EarlyHole> early_holes_;  // among the sorted blocks, in the order of parts
   std::vector<int> holes_;              // behind them
+  std::vector<int> fresh_groups_;       // those with blocks listed in this pass
   int newest_ = 0;                      // row of the ring buffer of velocities
   int front_ = 0;                       // the row from which they are counted
   int filled_ = 0;
@@ -229,6 +235,7 @@ class PlanarBlocks {
   void sort(const PlanarParts& parts, PlanarDependencies& dependencies);
   void age(int steps);
   void look_ahead(int steps);
+  void settle();
 
  private:
   PlanarBlockPool pairs_, at_walls_;

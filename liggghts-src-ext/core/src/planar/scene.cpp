@@ -194,6 +194,7 @@ void PlanarScene::Data::evaluate_all() {
   for (int part = 0; part < parts.count(); ++part) forces.evaluate(part, steps);
   // No step has gone by that could have missed something.
   for (int part = 0; part < parts.count(); ++part) events.forget_changes(part);
+  blocks.settle();
   blocks.age(1);
 }
 
@@ -208,6 +209,7 @@ int PlanarScene::Data::pass(long most) {
   steps_of_pass_ = neighbours.begin_pass(static_cast<int>(std::min(steps_of_pass, most)));
   pipeline_.run(steps_of_pass_, *this);
   neighbours.look_at(steps_of_pass_);
+  blocks.settle();
   blocks.age(steps_of_pass_);
   for (int part = 0; part < parts.count(); ++part) correct_for_events(steps_of_pass_, part);
   steps += steps_of_pass_;

@@ -42,6 +42,8 @@ struct alignas(64) PlanarGroupHeads {
   std::int32_t j[planar_group];
   float gap[planar_group];
   std::uint8_t used, alive, full_history, sliding;
+  // A bit for each block that was listed in this pass: its bodies may be some steps apart.
+  std::uint8_t fresh;
 };
 
 /// Offsets of a block's numbers from the first of them, which has one for each lane in most rows.

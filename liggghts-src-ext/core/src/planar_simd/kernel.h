@@ -33,6 +33,7 @@ struct LaneHeads {
   /// The indices of the bodies of block b; negative: a wall.
   int body_i(int b) const { return static_cast<int>(i()[b] / planar_stride); }
   int body_j(int b) const { return j()[b] < 0 ? j()[b] : j()[b] / planar_stride; }
+  bool is_fresh(int b) const { return (group.fresh & 1 << (first + b)) != 0; }
   /// Some of the bits that it keeps, of the lanes in the register.
   int bits(std::uint8_t of_group) const { return of_group >> first * planar_lanes & all; }
   void set_sliding(int sliding) const {
@@ -203,16 +204,18 @@ inline void add_forces(const LaneMotion& motion, Vector2<Lanes> on_i, int acts,
 }
 
 /// Sets how far the bodies of each block may travel before its spheres, which are apart now, can
-/// meet: what they have travelled, and the gap. Of the sums of the radii `reach` it takes off a
-/// part that no rounding of the positions reaches in the life of a list.
+/// meet: what they have travelled, and the gap; not of fresh ones, as the frame of a body may have
+/// moved in the steps that it is ahead of the other. Of the sums of the radii `reach` it takes off
+/// a part that no rounding of the positions reaches in the life of a list.
 inline void set_gaps(const LaneHeads& heads, Lanes square, Lanes reach,
                      const PlanarForceArguments& forces) {
   Lanes r, inverse;
   lane_roots(square, r, inverse);
   alignas(64) double gaps[lane_blocks * planar_lanes];
   store_lanes(gaps, lane_choice(lanes_of_bits(heads.bits(heads.group.used)),
-                                r - (1.0 + 1e-9) * reach, all_lanes(1e300)));
+                                r - (1.0 + 1e-9) * reach, all_lanes(1e30)));
   for (int b = 0; b < lane_blocks; ++b) {
+    if (heads.is_fresh(b)) continue;
     const double *const gap = gaps + b * planar_lanes, smallest = gap[0] < gap[1] ? gap[0] : gap[1];
     const double way =
         forces.travelled[heads.body_i(b)] + forces.travelled[heads.body_j(b)] + smallest;
