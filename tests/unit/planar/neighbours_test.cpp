@@ -255,9 +255,9 @@ TEST(PlanarNeighbours, BlocksHaveTheDashpotsOfTheirBodies) {
   expect_gammas(scene.blocks.at_walls(), 1, -1, 3e-6);
 }
 
-// A disc at 1 m/s and with a skin of 0.3 mm: the bound on how far it has moved may be the root of 2
-// times too large, and it is listed 2 % before; 0.98 * 0.3 mm / (sqrt(2) 11 um) = 18.9 steps. At 10
-// m/s 1.89, and at 100 m/s at least one.
+// A disc at 1 m/s and with a skin of 0.3 mm: the bound on how far it has moved may be 1/cos(pi/8)
+// times too large, and it is listed 2 % before; 0.98 * 0.3 mm / (1.0824 * 11 um) = 24.7 steps. At 4
+// m/s 6.2, at 10 m/s 2.5, and at 100 m/s at least one.
 TEST(PlanarNeighbours, StepsWithinSkinsAreThoseOfTheFastestBody) {
   PlanarSettings settings = settings_of();
   settings.min_skin = settings.max_skin = 3e-4;
@@ -267,8 +267,8 @@ TEST(PlanarNeighbours, StepsWithinSkinsAreThoseOfTheFastestBody) {
     return scene.neighbours.steps_within_skins();
   };
   EXPECT_EQ(steps(1.0), most_steps_in_pass);
-  EXPECT_EQ(steps(4.0), 4);
-  EXPECT_EQ(steps(10.0), 1);
+  EXPECT_EQ(steps(4.0), 6);
+  EXPECT_EQ(steps(10.0), 2);
   EXPECT_EQ(steps(100.0), 1);
 }
 
@@ -294,16 +294,16 @@ TEST(PlanarNeighbours, StepsWithinSkinsForgetWhoHasSlowedDown) {
   settings.min_skin = settings.max_skin = 3e-4;
   Scene scene(settings, {moving(rod(1, 0, 0, 0), 6.0, 0), moving(rod(1, 0.1, 0, 0), 4.0, 0)});
   scene.neighbours.list_all();
-  EXPECT_EQ(scene.neighbours.steps_within_skins(), 3);
-  scene.neighbours.renew_steps_within_skins();
-  EXPECT_EQ(scene.neighbours.steps_within_skins(), 3);
-  scene.neighbours.list_anew({1});
+  EXPECT_EQ(scene.neighbours.steps_within_skins(), 4);
   scene.neighbours.renew_steps_within_skins();
   EXPECT_EQ(scene.neighbours.steps_within_skins(), 4);
+  scene.neighbours.list_anew({1});
+  scene.neighbours.renew_steps_within_skins();
+  EXPECT_EQ(scene.neighbours.steps_within_skins(), 6);
 }
 
 // A ghost is listed anew when 98 % of its skin may have gone by: the bound for a translation by a
-// is sqrt(2) a. The path there and back is twice as long.
+// along x is a. The path there and back is twice as long.
 TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   PlanarSettings settings = settings_of();
   settings.min_skin = settings.max_skin = 1e-3;
@@ -325,15 +325,15 @@ TEST(PlanarNeighbours, AGhostIsListedAnewWhenItLeavesItsSkin) {
   EXPECT_FALSE(moves_to(0.016)) << "there are no lists yet";
   scene.neighbours.list_all();
   EXPECT_GT(scene.blocks.pairs().filled(), 0);
-  EXPECT_FALSE(moves_to(0.016 - 0.97e-3 / std::sqrt(2.0)));
-  EXPECT_NEAR(moved[1], 0.97e-3, 1e-15);
+  EXPECT_FALSE(moves_to(0.016 - 0.97e-3));
+  EXPECT_NEAR(moved[1], 0.97e-3, 1e-12);
   EXPECT_FALSE(moves_to(0.016));
   EXPECT_NEAR(moved[1], 0.0, 1e-15);
-  EXPECT_NEAR(travelled[1], 2 * 0.97e-3, 1e-15);
-  EXPECT_TRUE(moves_to(0.016 - 0.99e-3 / std::sqrt(2.0)));
+  EXPECT_NEAR(travelled[1], 2 * 0.97e-3, 1e-12);
+  EXPECT_TRUE(moves_to(0.016 - 0.99e-3));
   scene.neighbours.list_anew({1});
   EXPECT_EQ(travelled[1], 0.0);
-  EXPECT_FALSE(moves_to(0.016 - 0.99e-3 / std::sqrt(2.0)));
+  EXPECT_FALSE(moves_to(0.016 - 0.99e-3));
   scene.neighbours.remove_ghost(1);
   EXPECT_EQ(scene.blocks.pairs().filled(), 0);
 }

@@ -21,16 +21,14 @@ constexpr double before_its_skin = 0.98;
 
 constexpr double none = std::numeric_limits<double>::infinity();  // the gap of no candidates
 
-/// No point of a body goes farther than this, m, whose centre goes (x, y), m, and whose farthest
-/// point moves by `turn` about it, m, along x and y.
-double bound_on_motion(Vector2<double> centre, Vector2<double> turn) {
-  return std::sqrt(2.0 * (dot(centre, centre) + dot(turn, turn)));  // |a| + |b| is no more
-}
+double lane_abs(double x) { return std::fabs(x); }
 
-/// By how much the bound on the motion of a body, which may be the square root of 2 times too
-/// large, grows in a step in which the body goes `displacement` in its frame, m.
+#include "../planar_simd/motion_bound.h"
+
+/// By how much the bound on the motion of a body, which may be too large, grows in a step in which
+/// the body goes `displacement` in its frame, m.
 double growth_of_bound(double displacement, const PlanarFrameStep& frame) {
-  return std::sqrt(2.0) * displacement + frame.strain;
+  return octagon_excess * displacement + frame.strain;
 }
 
 }  // namespace
@@ -201,8 +199,8 @@ void PlanarNeighbours::remove_ghost(int ghost) {
 }
 
 void PlanarNeighbours::add_path(int body, const double* displacement) {
-  travelled_[body] += bound_on_motion({displacement[0], displacement[1]},
-                                      {references_[body].at.reach * displacement[2], 0.0});
+  travelled_[body] += motion_bound(displacement[0], displacement[1], references_[body].at.reach,
+                                   displacement[2], 0.0);
 }
 
 /// Bounds the motion as the SIMD loop does that advances the bodies of this rank.
@@ -212,9 +210,8 @@ bool PlanarNeighbours::follow_ghost(int ghost, const PlanarKinematics& before) {
   const PlanarReferenceLanes& lanes = reference_lanes_[ghost / body_lanes];
   const int lane = ghost % body_lanes;
   const auto bound = [&](double x, double y, double cosine, double sine) {
-    return bound_on_motion(
-        {kinematics.x - x, kinematics.y - y},
-        {at.reach * (kinematics.cosine - cosine), at.reach * (kinematics.sine - sine)});
+    return motion_bound(kinematics.x - x, kinematics.y - y, at.reach, kinematics.cosine - cosine,
+                        kinematics.sine - sine);
   };
   double& moved = moved_[ghost];
   moved =

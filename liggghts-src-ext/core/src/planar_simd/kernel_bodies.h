@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts with walls and the motion of bodies; included after kernel.h, for lanes of four.
 
+#include "motion_bound.h"
+
 /// Evaluates lasting contacts with walls of the blocks from `first` on; returns the lanes that need
 /// the general path.
 template <class Load, class Jumps>
@@ -158,26 +160,21 @@ int advance(const PlanarAdvanceArguments& arguments) {
                 ry = y - (load_lanes(at.y) + made * step_y);
     const Lanes tc = pose[2] - load_lanes(at.cosine), ts = pose[3] - load_lanes(at.sine);
     const Lanes reach = load_lanes(at.reach), strain_step = load_lanes(at.strain_step);
-    const auto square_of_bound = [&](Lanes dx, Lanes dy, Lanes dcosine, Lanes dsine) {
-      const Lanes turn = reach * reach * (dcosine * dcosine + dsine * dsine);
-      return 2.0 * (dx * dx + dy * dy + turn);  // |a| + |b| <= sqrt(2 (a^2 + b^2))
-    };
     const Lanes strain = load_lanes(at.strain) + made * strain_step;
-    const Lanes moved = lane_sqrt(square_of_bound(rx, ry, tc, ts)) + strain;
+    const Lanes moved = motion_bound(rx, ry, reach, tc, ts) + strain;
     store_lanes(arguments.moved + first, moved);
     // A turn's chord is no longer than its arc. Lanes beyond the last body get some path too many.
-    const Lanes path = lane_sqrt(square_of_bound(arguments.dt * motion[0] - step_x,
-                                                 arguments.dt * motion[1] - step_y,
-                                                 arguments.dt * motion[2], all_lanes(0.0)));
+    const Lanes path =
+        motion_bound(arguments.dt * motion[0] - step_x, arguments.dt * motion[1] - step_y, reach,
+                     arguments.dt * motion[2], all_lanes(0.0));
     double* const travelled = arguments.travelled + first;
     store_lanes(travelled, load_lanes(travelled) + (path + strain_step));
     const Lanes will_move =
-        square_of_bound(rx + ahead[0] - more * step_x, ry + ahead[1] - more * step_y,
-                        tc - ahead[2] * pose[3], ts + ahead[2] * pose[2]);
-    const Lanes skin = load_lanes(at.skin), skin_left = skin - (strain + more * strain_step);
-    const int far = lane_bits(lane_less(skin, moved)) |
-                    lane_bits(lane_less(skin_left, all_lanes(0.0))) |
-                    lane_bits(lane_less(skin_left * skin_left, will_move));
+        motion_bound(rx + ahead[0] - more * step_x, ry + ahead[1] - more * step_y, reach,
+                     tc - ahead[2] * pose[3], ts + ahead[2] * pose[2]) +
+        (strain + more * strain_step);
+    const Lanes skin = load_lanes(at.skin);
+    const int far = lane_bits(lane_less(skin, moved) | lane_less(skin, will_move));
     transpose_lanes(pose);
     for (int k = 0; k < members; ++k) {
       store_lanes(&arguments.kinematics[first + k].x, pose[k]);

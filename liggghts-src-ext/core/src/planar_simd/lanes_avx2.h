@@ -12,10 +12,10 @@ inline Lanes load_lanes(const double* values) {
 }
 inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<StoredLanes*>(values) = x; }
 inline Lanes all_lanes(double x) { return Lanes{x, x, x, x}; }
-inline Lanes lane_sqrt(Lanes x) { return (Lanes)_mm256_sqrt_pd((__m256d)x); }
+inline Lanes lane_abs(Lanes x) { return (Lanes)_mm256_andnot_pd(_mm256_set1_pd(-0.0), (__m256d)x); }
 /// Sets the square root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
-  root = lane_sqrt(square);
+  root = (Lanes)_mm256_sqrt_pd((__m256d)square);
   inverse = 1.0 / root;
 }
 inline LaneMask lane_less(Lanes a, Lanes b) { return a < b; }

@@ -53,10 +53,13 @@ inline HalfLanes half_sqrt(HalfLanes x) {
   return HalfLanes{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
 #endif
 }
-inline Lanes lane_sqrt(Lanes x) { return {half_sqrt(x.low), half_sqrt(x.high)}; }
+inline Lanes lane_abs(Lanes x) {
+  const HalfMask magnitude = {0x7fffffffffffffff, 0x7fffffffffffffff};
+  return {(HalfLanes)((HalfMask)x.low & magnitude), (HalfLanes)((HalfMask)x.high & magnitude)};
+}
 /// Sets the square root and its inverse.
 inline void lane_roots(Lanes square, Lanes& root, Lanes& inverse) {
-  root = lane_sqrt(square);
+  root = {half_sqrt(square.low), half_sqrt(square.high)};
   inverse = 1.0 / root;
 }
 inline LaneMask lane_less(Lanes a, Lanes b) { return {a.low < b.low, a.high < b.high}; }
