@@ -365,7 +365,9 @@ TEST(PlanarEngine, RefusesWhatItCannotHonour) {
 }
 
 // Ranks differ from one another by the order of sums: nothing in the time of this test, in which
-// the first rods fall, collide across the borders of the ranks and are looked at every 11 ms.
+// the first rods fall, collide across the borders of the ranks and are looked at every 11 ms. With
+// events it ends while two rods slap together on the border of two of four ranks; the collisions
+// that follow make rounding grow, whatever the ranks, to 1e-11 m/s in 5000 further steps.
 TEST(PlanarEngine, RanksAgreeWithOneRankToRounding) {
   const std::string lines = with_lines_every(5806), looks = "fix look all print 1000 . screen no";
   // The contacts that mass scaling counts are those of all ranks, with either style.
@@ -391,8 +393,8 @@ TEST(PlanarEngine, RanksAgreeWithOneRankToRounding) {
     EXPECT_LT(difference(a, b, "omegaz", 0.1 / 7.5e-3), 1e-9) << style;
     EXPECT_GT(difference(a, last(plain, "bodies", vars), "y"), 1e-5) << style;
   }
-  const Vars vars = {{"rods", "15"},    {"height", "0.08"}, {"steps", "23224"},
-                     {"every", "5806"}, {"extra", looks},   {"style", "verlet/planar"}};
+  const Vars vars = {{"rods", "15"},    {"height", "0.08"}, {"steps", "17070"},
+                     {"every", "5690"}, {"extra", looks},   {"style", "verlet/planar"}};
   const auto one = run_liggghts(lines, vars);
   ASSERT_EQ(one.exit_code, 0) << one.output;
   const Table a = last(one, "bodies", vars), contacts = by_atoms(last(one, "contacts", vars));

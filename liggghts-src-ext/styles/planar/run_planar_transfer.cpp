@@ -125,7 +125,7 @@ rodpack::PlanarSettings RunPlanar::settings(const std::vector<rodpack::PlanarBod
         min_skin_, least);
     refuse(lmp, text);
   }
-  settings.min_skin = min_skin_ > 0.0 ? min_skin_ : std::max(-0.06 * largest[0], least);
+  settings.min_skin = min_skin_ > 0.0 ? min_skin_ : std::max(-0.12 * largest[0], least);
   settings.max_skin = max_skin_ > 0.0 ? max_skin_ : std::max(-0.6 * largest[0], settings.min_skin);
   // LIGGGHTS passes atoms and bodies on to the next rank, not beyond it; they may have gone half
   // its skin before.

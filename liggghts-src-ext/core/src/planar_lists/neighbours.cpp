@@ -170,9 +170,9 @@ void PlanarNeighbours::list_all() {
     y[k] = references_[k].at.y;
   }
   // Frames may go as far in a pass as the fastest body, and somewhat more; but no cell grows by
-  // more than twice what skins make of it.
+  // more than four times what skins make of it.
   const double way = 1.25 * most_steps_in_pass * fastest;
-  frames_.set_way(std::min(2.0 * settings_.max_skin, std::max(0.25 * settings_.max_skin, way)));
+  frames_.set_way(std::min(4.0 * settings_.max_skin, std::max(0.25 * settings_.max_skin, way)));
   // Those that may touch are in the same cell or in cells next to each other, though reference
   // positions may be on their way to other cells.
   grid_.build(x, y, 2.0 * (longest_reach_ + settings_.max_skin + frames_.way()));
