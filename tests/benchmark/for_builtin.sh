@@ -6,5 +6,9 @@
 #
 #   tests/benchmark/for_builtin.sh FILE > builtin.restart
 set -eu
+[ -f "$1" ] || {
+  echo "for_builtin.sh: $1: no such restart file" >&2
+  exit 1
+}
 # the length of the name, with its final zero, and the name
 LC_ALL=C sed 's|\x0f\x00\x00\x00multisphere/ab\x00|\x0c\x00\x00\x00multisphere\x00|g' "$1" | head -c -61
