@@ -27,8 +27,10 @@ void PlanarBlockPool::sort(const PlanarParts& parts) {
   std::vector<Key>& keys = work_.keys;
   std::vector<int>& order = work_.order;  // the present place of the k-th block, -1 for a hole
   keys.clear();
-  for (int k = 0; k < size(); ++k)
-    if (head(k).used != 0) keys.push_back({sorting_key(head(k)), k});
+  for (int k = 0; k < size(); ++k) {
+    const PlanarBlockHead of_block = head(k);
+    if (of_block.used != 0) keys.push_back({sorting_key(of_block), k});
+  }
   std::sort(keys.begin(), keys.end());
   const auto others = std::lower_bound(keys.begin(), keys.end(), Key{apart, 0});
   const int touching = whole_groups(static_cast<int>(others - keys.begin()));
@@ -78,8 +80,12 @@ void PlanarBlockPool::reorder(const std::vector<int>& order) {
 void PlanarBlockPool::find_ends(const PlanarParts& parts, int first, int end,
                                 std::vector<int>& ends) const {
   ends.clear();
+  const auto part_of_bodies = [&](int place) {
+    const PlanarBlockHead of_block = head(place);
+    return parts.of_pair(of_block.i, of_block.j);
+  };
   for (int part = 0; part < parts.last(); ++part) {
-    while (first < end && parts.of_pair(head(first).i, head(first).j) <= part) ++first;
+    while (first < end && part_of_bodies(first) <= part) ++first;
     ends.push_back(first - first % planar_group);
   }
   ends.push_back(end);
@@ -109,7 +115,7 @@ void PlanarBlocks::sort(const PlanarParts& parts, PlanarDependencies& dependenci
   for (PlanarBlockPool* pool : {&pairs_, &at_walls_}) {
     pool->sort(parts);
     for (int place = 0; place < pool->size(); ++place) {
-      const PlanarBlockHead& head = pool->head(place);
+      const PlanarBlockHead head = pool->head(place);
       if (head.used != 0) dependencies.add_contact(head.i, head.j, pool->part_of(place));
     }
   }

@@ -105,7 +105,7 @@ PlanarContactState PlanarForceEvaluator::contact_state(const PlanarBlockPool& po
 /// Sets the contact of a lane; false if its spheres do not overlap.
 bool PlanarForceEvaluator::place_lane(const PlanarBlockPool& pool, int place, int lane,
                                       PlanarContact& contact) const {
-  const PlanarBlockHead& head = pool.head(place);
+  const PlanarBlockHead head = pool.head(place);
   const double* const values = pool.values(place) + lane;
   const PlanarLawConstants& law = laws_[pool.law(place)];
   contact.body_i = head.i;

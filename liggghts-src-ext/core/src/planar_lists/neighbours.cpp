@@ -260,7 +260,7 @@ void PlanarNeighbours::list(int body) {
   listed.clear();
   for (const PlanarBlockPool* pool : {&blocks_.pairs(), &blocks_.at_walls()})
     for (const int place : pool->of_body(body)) {
-      const PlanarBlockHead& head = pool->head(place);
+      const PlanarBlockHead head = pool->head(place);
       const int other = head.i == body ? head.j : head.i;
       int& newest = newest_listed(other);
       listed.push_back({other, place, newest});
@@ -326,7 +326,7 @@ bool PlanarNeighbours::renew_gaps(int j) {
   gaps.clear();
   std::size_t found = 0;
   for (const int place : work_.of_pair) {
-    const PlanarBlockHead& head = pool.head(place);
+    const PlanarBlockHead head = pool.head(place);
     const PlanarBlockColdData& cold = pool.cold(place);
     double smallest = none;
     for (int lane = 0; lane < planar_lanes; ++lane) {
