@@ -88,21 +88,22 @@ def memory_mb(values):
     return int(500 + 0.02 * values["particles"] * values["spheres_each"])
 
 
-def measure_speed(liggghts, deck_file):
-    """Speed of this machine's processor in units of that of the measurement: 2 is twice as fast.
+def processor_time(liggghts, deck_file, variables, longest=None):
+    """Processor time, s, of one deposition with these variables in a folder of its own, which goes away.
 
-    From processor time, not from the clock, so that other work on the machine hardly matters.
-    @throws RuntimeError when the small deposition fails.
+    Not that of the clock, so that other work on the machine hardly matters.
+    @param longest  by the clock, s; None: as long as it takes
+    @throws RuntimeError when the deposition fails or takes longer.
     """
     with tempfile.TemporaryDirectory(prefix="rodpack-speed-") as folder:
         command = [liggghts, "-log", "none", "-in", deck_file, "-var", "out", Path(folder) / "run"]
-        for name, value in PROBE.items():
+        for name, value in variables.items():
             command += ["-var", name, str(value)]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         try:
             done = subprocess.run(
                 command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                timeout=120,
+                timeout=longest,
             )
         except (OSError, subprocess.TimeoutExpired) as error:
             raise RuntimeError(f"cannot measure this machine's speed: {error}") from None
@@ -110,8 +111,15 @@ def measure_speed(liggghts, deck_file):
         if not (Path(folder) / "run" / "result.json").exists():
             last = (done.stdout.strip().splitlines() or [f"exit status {done.returncode}"])[-1]
             raise RuntimeError(f"cannot measure this machine's speed: {liggghts}: {last}")
-    taken = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return PROBE_S / taken
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def measure_speed(liggghts, deck_file):
+    """Speed of this machine's processor in units of that of the measurement: 2 is twice as fast.
+
+    @throws RuntimeError when the small deposition fails.
+    """
+    return PROBE_S / processor_time(liggghts, deck_file, PROBE, longest=120)
 
 
 def cores_here():

@@ -7,10 +7,12 @@ import json
 import math
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
-from support import CASES, PROGRAMS, SMALL, WORKFLOW, StudyTest
+from support import CASES, SMALL, WORKFLOW, StudyTest
 
 import estimate
 import words
@@ -55,20 +57,26 @@ class Work(unittest.TestCase):
             other = deck.evaluate({"aspect_ratio": "3", "particles": "3000", name: value})
             self.assertGreater(estimate.work(other), 1.2 * estimate.work(VALUES), name)
 
-    def test_a_run_costs_what_was_said(self):
-        # Within a factor of two: the model is a line through a few cases. Processor time, not that
-        # of the clock; speed measured in the same minute.
-        variables = {"particles": "250", "aspect_ratio": "3", "particles_per_line": "10",
-                     "width_in_lengths": "12", "container_height": "0.4"}
-        said = estimate.work(Deck().evaluate(variables))
-        speed = estimate.measure_speed(PROGRAMS / "liggghts", DECK)
-        probe = estimate.PROBE
-        try:
-            estimate.PROBE = variables
-            taken = estimate.PROBE_S / estimate.measure_speed(PROGRAMS / "liggghts", DECK)
-        finally:
-            estimate.PROBE = probe
-        self.assertLess(abs(math.log(taken * speed / said)), math.log(2))
+    def test_speed_is_from_the_processor_time_of_the_probe_alone(self):
+        # A program that works for 0.4 s, sleeps for longer, and refuses other variables than the probe's.
+        with tempfile.TemporaryDirectory(prefix="rodpack-study-") as folder:
+            program = Path(folder) / "liggghts"
+            program.write_text(f"""#!{sys.executable}
+import pathlib, sys, time
+given = dict(zip(sys.argv[sys.argv.index("-var") + 1::3], sys.argv[sys.argv.index("-var") + 2::3]))
+run = pathlib.Path(given.pop("out"))
+if given != {({name: str(value) for name, value in estimate.PROBE.items()})!r}:
+    sys.exit(f"other variables: {{given}}")
+time.sleep(1)
+while time.process_time() < 0.4:
+    pass
+run.mkdir()
+(run / "result.json").touch()
+""")
+            program.chmod(0o755)
+            taken = estimate.PROBE_S / estimate.measure_speed(program, DECK)
+        self.assertGreater(taken, 0.38)  # the kernel counts in ticks of up to 10 ms
+        self.assertLess(taken, 1)
 
     def test_a_program_that_does_not_run_is_named(self):
         with self.assertRaisesRegex(RuntimeError, "speed.*nowhere"):
