@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "rodpack/motion/stability_limit.h"
 
@@ -164,6 +166,40 @@ TEST(ContactNetwork, StiffAndSlowContactsAreNotMixed) {
   const double corner = timestep_limit(
       3, {30 * k / mass, 30 * contacts[0].damping_n / mass, contacts[0].damping_n / k, delay});
   EXPECT_LT(corner, 0.9 * exact);
+}
+
+// In three coordinates, or in all six as soon as another body may leave the plane. The rods' arms
+// lead out of the plane, too.
+TEST(ContactNetwork, APlaneIsLookedAtAsSpaceIs) {
+  NetworkBody rod = sphere();
+  rod.moments[2][2] *= 8;
+  rod.moments[1][2] = rod.moments[2][1] = 0.3 * rod.moments[2][2];
+  std::vector<NetworkBody> bodies(5, rod);
+  std::vector<NetworkContact> contacts;
+  for (int c = 0; c < 9; ++c) {
+    NetworkContact one = contact(c % 5, c < 7 ? (c + 1 + c % 2) % 5 : -1, 0.2, 0.5 * k, 0.3);
+    const double angle = 1 + 2 * c;
+    const double normal[3] = {std::cos(angle), std::sin(angle), 0};
+    const double arm[3] = {radius * c, radius * (3 - c), 0.2 * radius};
+    std::copy_n(normal, 3, one.normal);
+    std::copy_n(arm, 3, one.arm_i);
+    std::copy_n(arm, 3, one.arm_j);
+    one.stiffness_r = c * 1e-4;
+    one.damping_r = 1e-7;
+    contacts.push_back(one);
+  }
+  bodies[2].is_free.fill(false);
+  std::vector<NetworkBody> with_another = bodies;
+  with_another.push_back(sphere());
+  with_another.back().is_free.fill(true);
+  for (const int order : {0, 3}) {
+    const NetworkLimit plane = network_limit(order, bodies, contacts),
+                       space = network_limit(order, with_another, contacts);
+    EXPECT_NEAR(plane.timestep / space.timestep, 1, 1e-12);
+    EXPECT_NEAR(plane.stiffness / space.stiffness, 1, 1e-12);
+    EXPECT_NEAR(plane.damping / space.damping, 1, 1e-12);
+    EXPECT_EQ(plane.stiffest, space.stiffest);
+  }
 }
 
 TEST(ContactNetwork, WithoutContactsOrFreeMotionThereIsNoLimit) {

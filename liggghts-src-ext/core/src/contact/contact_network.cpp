@@ -13,55 +13,79 @@
 namespace rodpack {
 namespace {
 
-// Not aligned: in C++14 a std::vector of them has no room for more than the usual alignment.
-using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
-using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 using Vector3 = Eigen::Vector3d;
 
+/// Which of the six coordinates (x, y, z; rotations about them) a network of bodies moves in:
+/// `each` of them in turn, the last ones rotations.
+struct InSpace {
+  static constexpr int count = 6, rotations = 3;
+  static constexpr int each(int k) { return k; }
+};
+struct InPlane {
+  static constexpr int count = 3, rotations = 1;
+  static constexpr int each(int k) { return k < 2 ? k : 5; }
+};
+
+// Not aligned: in C++14 a std::vector of them has no room for more than the usual alignment.
+template <class Coordinates>
+using Form = Eigen::Matrix<double, Coordinates::count, Coordinates::count, Eigen::DontAlign>;
+
 /// L^-1 of the body's mass matrix M = L L^T in its free motions, 0 in the others: it turns forms of
-/// (x, y, z; rotations) into such of coordinates in which the mass is 1.
-Matrix6 unit_mass(const NetworkBody& body, std::size_t index) {
-  Matrix6 mass = Matrix6::Identity();
-  for (int a = 0; a < 6; ++a) {
-    for (int b = 0; b < 6; ++b) {
+/// the coordinates into such of coordinates in which the mass is 1.
+template <class Coordinates>
+Form<Coordinates> unit_mass(const NetworkBody& body, std::size_t index) {
+  using Matrix = Form<Coordinates>;
+  Matrix mass = Matrix::Identity();
+  for (int row = 0; row < Coordinates::count; ++row) {
+    for (int column = 0; column < Coordinates::count; ++column) {
+      const int a = Coordinates::each(row), b = Coordinates::each(column);
       if (!body.is_free[a] || !body.is_free[b]) continue;
       if (a < 3 || b < 3)
-        mass(a, b) = a == b ? body.mass : 0.0;
+        mass(row, column) = a == b ? body.mass : 0.0;
       else
-        mass(a, b) = body.moments[a - 3][b - 3];
+        mass(row, column) = body.moments[a - 3][b - 3];
     }
   }
-  const Eigen::LLT<Matrix6> factor(mass);
+  const Eigen::LLT<Matrix> factor(mass);
   if (factor.info() != Eigen::Success || !mass.allFinite())
     throw std::invalid_argument("contact network: body " + std::to_string(index) +
                                 ": mass and moments of inertia have to be positive");
-  Matrix6 result = factor.matrixL().solve(Matrix6::Identity());
-  for (int a = 0; a < 6; ++a)
-    if (!body.is_free[a]) result.row(a).setZero();
+  Matrix result = factor.matrixL().solve(Matrix::Identity());
+  for (int row = 0; row < Coordinates::count; ++row)
+    if (!body.is_free[Coordinates::each(row)]) result.row(row).setZero();
   return result;
 }
 
 /// Forms g g^T of one side of a contact along its normal, in its plane, and of rotations about all
 /// axes, coordinates of unit mass.
+template <class Coordinates>
 struct Side {
-  Matrix6 along, across, turning;
+  Form<Coordinates> along, across, turning;
 };
 
-Side side_of(const NetworkContact& contact, const double* arm, const Matrix6& scale) {
+template <class Coordinates>
+Side<Coordinates> side_of(const NetworkContact& contact, const double* arm,
+                          const Form<Coordinates>& scale) {
   const Vector3 n(contact.normal[0], contact.normal[1], contact.normal[2]);
   const Vector3 t = n.unitOrthogonal(), b = n.cross(t), r(arm[0], arm[1], arm[2]);
-  const auto form = [&](const Vector3& direction) -> Matrix6 {
-    Vector6 g;
-    g << direction, r.cross(direction);
+  const auto form = [&](const Vector3& direction) -> Form<Coordinates> {
+    const Vector3 about = r.cross(direction);
+    Eigen::Matrix<double, Coordinates::count, 1> g;
+    for (int k = 0; k < Coordinates::count; ++k) {
+      const int a = Coordinates::each(k);
+      g(k) = a < 3 ? direction(a) : about(a - 3);
+    }
     g = scale * g;
     return g * g.transpose();
   };
-  const Matrix6 rotations = scale.rightCols<3>() * scale.rightCols<3>().transpose();
-  return {form(n), form(t) + form(b), rotations};
+  const auto about_axes = scale.template rightCols<Coordinates::rotations>();
+  return {form(n), form(t) + form(b), about_axes * about_axes.transpose()};
 }
 
-double largest_eigenvalue(const Matrix6& form) {
-  using Aligned = Eigen::Matrix<double, 6, 6>;  // the solver compiles for no other
+template <class Coordinates>
+double largest_eigenvalue(const Form<Coordinates>& form) {
+  // The solver compiles for no other.
+  using Aligned = Eigen::Matrix<double, Coordinates::count, Coordinates::count>;
   const Eigen::SelfAdjointEigenSolver<Aligned> solver(Aligned(form), Eigen::EigenvaluesOnly);
   return std::max(0.0, solver.eigenvalues().maxCoeff());
 }
@@ -70,20 +94,23 @@ double largest_eigenvalue(const Matrix6& form) {
 struct Constants {
   double n, t, r;
 
-  Matrix6 times(const Side& side) const {
-    Matrix6 sum = n * side.along + t * side.across;
+  template <class Coordinates>
+  Form<Coordinates> times(const Side<Coordinates>& side) const {
+    Form<Coordinates> sum = n * side.along + t * side.across;
     if (r > 0.0) sum += r * side.turning;
     return sum;
   }
 };
 
+template <class Coordinates>
 class Network {
  public:
   Network(const std::vector<NetworkBody>& bodies, const std::vector<NetworkContact>& contacts)
       : bodies_(bodies), contacts_(contacts), counts_(bodies.size(), 0) {
     const auto n = static_cast<int>(bodies.size());
-    std::vector<Matrix6> scales;
-    for (const NetworkBody& body : bodies) scales.push_back(unit_mass(body, scales.size()));
+    std::vector<Form<Coordinates>> scales;
+    for (const NetworkBody& body : bodies)
+      scales.push_back(unit_mass<Coordinates>(body, scales.size()));
     for (const NetworkContact& contact : contacts) {
       if (contact.i < 0 || contact.i >= n || contact.j >= n || contact.i == contact.j)
         throw std::invalid_argument("contact network: bodies " + std::to_string(contact.i) +
@@ -95,9 +122,10 @@ class Network {
             "contact network: stiffnesses " + std::to_string(contact.stiffness_n) + ", " +
             std::to_string(contact.stiffness_t) + " and " + std::to_string(contact.stiffness_r) +
             ", expected > 0 along the normal, >= 0 across and in rolling");
-      here_.push_back(side_of(contact, contact.arm_i, scales[contact.i]));
-      there_.push_back(contact.j < 0 ? here_.back()
-                                     : side_of(contact, contact.arm_j, scales[contact.j]));
+      here_.push_back(side_of<Coordinates>(contact, contact.arm_i, scales[contact.i]));
+      there_.push_back(contact.j < 0
+                           ? here_.back()
+                           : side_of<Coordinates>(contact, contact.arm_j, scales[contact.j]));
       ++counts_[contact.i];
       if (contact.j >= 0) ++counts_[contact.j];
     }
@@ -134,7 +162,8 @@ class Network {
 
   template <class ConstantsOf>
   std::vector<double> by_body(ConstantsOf constants, const std::vector<double>& weights) const {
-    std::vector<Matrix6> sums(bodies_.size(), Matrix6::Zero());
+    using Matrix = Form<Coordinates>;
+    std::vector<Matrix> sums(bodies_.size(), Matrix::Zero());
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const NetworkContact& contact = contacts_[k];
       const Constants value = constants(contact);
@@ -145,24 +174,23 @@ class Network {
       if (contact.j >= 0) sums[contact.j] += (both ? 1.0 + 1.0 / s : 1.0) * value.times(there_[k]);
     }
     std::vector<double> result;
-    for (const Matrix6& sum : sums) result.push_back(largest_eigenvalue(sum));
+    for (const Matrix& sum : sums) result.push_back(largest_eigenvalue<Coordinates>(sum));
     return result;
   }
 
   const std::vector<NetworkBody>& bodies_;
   const std::vector<NetworkContact>& contacts_;
   std::vector<int> counts_;
-  std::vector<Side> here_, there_;
+  std::vector<Side<Coordinates>> here_, there_;
 };
 
 /// Largest dt |lambda| of a decay without oscillation: the real axis.
 double real_axis_limit(int order) { return stability_limit(order, 1.0); }
 
-}  // namespace
-
-NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
-                           const std::vector<NetworkContact>& contacts) {
-  const Network network(bodies, contacts);
+template <class Coordinates>
+NetworkLimit limit_of(int order, const std::vector<NetworkBody>& bodies,
+                      const std::vector<NetworkContact>& contacts) {
+  const Network<Coordinates> network(bodies, contacts);
   NetworkLimit result = {std::numeric_limits<double>::infinity(), 0.0, 0.0, -1, 0};
   if (contacts.empty()) return result;
 
@@ -213,6 +241,17 @@ NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
   }
   result.timestep = safe;
   return result;
+}
+
+}  // namespace
+
+NetworkLimit network_limit(int order, const std::vector<NetworkBody>& bodies,
+                           const std::vector<NetworkContact>& contacts) {
+  const bool is_planar = std::all_of(bodies.begin(), bodies.end(), [](const NetworkBody& body) {
+    return !body.is_free[2] && !body.is_free[3] && !body.is_free[4];
+  });
+  return is_planar ? limit_of<InPlane>(order, bodies, contacts)
+                   : limit_of<InSpace>(order, bodies, contacts);
 }
 
 }  // namespace rodpack
