@@ -42,6 +42,12 @@ class PlanarBodyStates {
   int tag(int body) const { return tags_[body]; }
   const PlanarBodyInfo& info(int body) const { return info_[body]; }
   const PlanarSphere* spheres(int body) const { return spheres_.data() + info_[body].first; }
+  /// Asks for the spheres of a body, so that they are in the cache soon.
+  void prefetch_spheres(int body) const {
+    const PlanarSphere* const first = spheres(body);
+    for (int k = 0; k < info_[body].count; k += 64 / static_cast<int>(sizeof(PlanarSphere)))
+      __builtin_prefetch(first + k);
+  }
   const PlanarKinematics& kinematics(int body) const { return kinematics_[body]; }
   /// The largest distance from a centre of mass to a point of its body, m.
   double longest_reach() const;

@@ -67,6 +67,7 @@ PlanarForceArguments PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int 
 
 /// Evaluates the lanes that the SIMD loop has left, one at a time.
 void PlanarForceEvaluator::evaluate_general(PlanarBlockPool& pool, int entries) {
+  for (int k = 0; k < entries; ++k) pool.prefetch(work_.general[k].place);
   for (int k = 0; k < entries; ++k)
     for (int lane = 0; lane < planar_lanes; ++lane)
       if (work_.general[k].lanes & 1 << lane) evaluate_lane(pool, work_.general[k].place, lane);

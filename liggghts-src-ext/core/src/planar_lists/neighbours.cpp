@@ -246,6 +246,7 @@ void PlanarNeighbours::find_near(int body, int end) {
 /// work_.blocks is looked at again; contacts keep their history.
 void PlanarNeighbours::list_near(int body, int end) {
   find_near(body, end);
+  for (const int other : work_.near) bodies_.prefetch_spheres(other);
   for (const int other : work_.near) {
     const bool first = bodies_.comes_first(body, other);
     list_pair(first ? body : other, first ? other : body, other);
@@ -260,6 +261,7 @@ void PlanarNeighbours::list(int body) {
   listed.clear();
   for (const PlanarBlockPool* pool : {&blocks_.pairs(), &blocks_.at_walls()})
     for (const int place : pool->of_body(body)) {
+      pool->prefetch(place);
       const PlanarBlockHead head = pool->head(place);
       const int other = head.i == body ? head.j : head.i;
       int& newest = newest_listed(other);
