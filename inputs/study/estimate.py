@@ -2,8 +2,9 @@
 """What a run costs before it is made: processor time, disk, memory.
 
 Times are those of the deck itself (its first line starts at 0, its last at t_last, has landed at t_landed
-and rests at about t_rest); what a particle costs in a step was measured with the planar engine, once; how
-fast this machine is, a small deposition tells (measure_speed()).
+and rests at about t_rest); what a particle costs in a step was measured with the planar engine, on a
+processor with AVX2 (tests/benchmark/study_estimate.py compares); how fast this machine is, a small
+deposition tells (measure_speed()).
 """
 
 import os
@@ -13,24 +14,24 @@ import tempfile
 from pathlib import Path
 
 # Nanoseconds for a particle of so many spheres and a step. While the bed fills, particles collide and are
-# listed anew, each pair of them with its pairs of spheres; at rest hardly.
+# listed anew; at rest hardly.
 def filling_ns(spheres):
-    return 35 + 8 * spheres + 0.6 * spheres**2
+    return 30 + 19.5 * spheres
 
 
 def resting_ns(spheres):
-    return 16 + 7.3 * spheres
+    return 32 + 15 * spheres
 
 
 # A step that LIGGGHTS makes itself, to observe the bed, costs as much as so many of the engine.
 OBSERVED = 200
-START_S = 0.15
+START_S = 0.3
 # engine spheres instead of planar
 SPHERES_ENGINE = 10
 
 # The deposition that tells a machine's speed, and its processor time where the above was measured.
 PROBE = {"particles": 150, "particles_per_line": 10, "width_in_lengths": 12, "container_height": 0.4}
-PROBE_S = 1.6
+PROBE_S = 3.0
 
 # Bytes: constant, for a particle, for a sphere. Restart files hold contacts, too.
 RESTART_BYTES = (2e5, 1100, 1350)
