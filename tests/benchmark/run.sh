@@ -6,7 +6,8 @@
 #   tests/benchmark/run.sh     coarse graining: accuracy against time, 9000 rods (the packing four times
 #                              side by side), one core; planar engine: steps (planar_engine.sh), whole
 #                              depositions (planar_deposition.sh, planar_presets.sh), size and ranks
-#                              (planar_size.sh), other programs (planar_peers.sh)
+#                              (planar_size.sh), other programs (planar_peers.sh); what the study says
+#                              that a run costs (study_estimate.py)
 set -eu
 cd "$(dirname "$0")/../.."
 
@@ -27,6 +28,7 @@ taskset -c 1 build/bin/coarse_graining_benchmark "$bed/dumps/bodies.$step.dump" 
 for benchmark in planar_engine planar_peers planar_deposition planar_presets planar_size; do
   tests/benchmark/$benchmark.sh build
 done
+tests/benchmark/study_estimate.py build
 (
   cd build/benchmark
   sed '/^[][]$/d; s/}$/},/' planar_*.json | sed '$s/,$//; 1i[

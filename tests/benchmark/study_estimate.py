@@ -44,4 +44,7 @@ def main(build, counts):
 if __name__ == "__main__":
     if len(sys.argv) < 2 or not all(word.isdigit() and int(word) > 0 for word in sys.argv[2:]):
         sys.exit(__doc__)
-    main(sys.argv[1], [int(word) for word in sys.argv[2:]] or [250, 1000])
+    try:
+        main(sys.argv[1], [int(word) for word in sys.argv[2:]] or [250, 1000])
+    except RuntimeError as error:
+        sys.exit(f"study_estimate.py: {error}")
