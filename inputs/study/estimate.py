@@ -107,11 +107,11 @@ def processor_time(liggghts, deck_file, variables, longest=None):
                 timeout=longest,
             )
         except (OSError, subprocess.TimeoutExpired) as error:
-            raise RuntimeError(f"cannot measure this machine's speed: {error}") from None
+            raise RuntimeError(str(error)) from None
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         if not (Path(folder) / "run" / "result.json").exists():
             last = (done.stdout.strip().splitlines() or [f"exit status {done.returncode}"])[-1]
-            raise RuntimeError(f"cannot measure this machine's speed: {liggghts}: {last}")
+            raise RuntimeError(f"{liggghts}: {last}")
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
@@ -120,7 +120,10 @@ def measure_speed(liggghts, deck_file):
 
     @throws RuntimeError when the small deposition fails.
     """
-    return PROBE_S / processor_time(liggghts, deck_file, PROBE, longest=120)
+    try:
+        return PROBE_S / processor_time(liggghts, deck_file, PROBE, longest=120)
+    except RuntimeError as error:
+        raise RuntimeError(f"cannot measure this machine's speed: {error}") from None
 
 
 def cores_here():

@@ -24,13 +24,14 @@ ASPECT_RATIOS = (2, 3, 5, 7)
 
 def main(build, counts):
     liggghts = Path(build).resolve() / "bin" / "liggghts"
+    deck = Deck()
     print("  AR  particles   said, s  taken, s  taken over said   speed here")
     lines = []
     for particles in counts:
         for aspect_ratio in ASPECT_RATIOS:
             variables = {"aspect_ratio": str(aspect_ratio), "particles": str(particles)}
             speed = statistics.median(estimate.measure_speed(liggghts, DECK) for _ in range(5))
-            said = estimate.work(Deck().evaluate(variables)) / speed
+            said = estimate.work(deck.evaluate(variables)) / speed
             taken = estimate.processor_time(liggghts, DECK, variables)
             print(f"{aspect_ratio:4} {particles:10} {said:9.1f} {taken:9.1f} {taken / said:16.2f} {speed:12.2f}",
                   flush=True)
