@@ -170,7 +170,8 @@ void ContactRecorder::add_contacts_of(Style* style, const std::string& name) {
                       "that they would be asked for: ask in steps of output or through a "
                       "fix that announces, as fix ave/time does; or put a 'run 0' before");
   }
-  for (std::size_t k = first; k < records_.size(); ++k) records_[k].rolling = rolling_law_of(style);
+  const rodpack::RollingLaw rolling = rolling_law_of(style);
+  for (std::size_t k = first; k < records_.size(); ++k) records_[k].rolling = rolling;
 }
 
 const std::vector<ContactRecord>& ContactRecorder::collect() {
