@@ -122,13 +122,16 @@ void PlanarNeighbours::renew_frames() {
     if (bodies_.info(body).count == 0) continue;  // a ghost that is out of use
     const PlanarFrameStep frame = frames_.step(grid_.cell(body));
     MovingReference& reference = references_[body];
-    reference.step_x = frame.x;
-    reference.step_y = frame.y;
-    set_lanes(body, reference_lanes_[body / body_lanes].strain[body % body_lanes], frame.strain);
+    PlanarReferenceLanes& lanes = reference_lanes_[body / body_lanes];
+    const int lane = body % body_lanes;
+    lanes.step_x[lane] = reference.step_x = frame.x;
+    lanes.step_y[lane] = reference.step_y = frame.y;
+    lanes.strain_step[lane] = frame.strain;
     // Seen from another frame it may leave its skin in the first step.
-    const double displacement = bodies_.step_displacement(body, frame.x, frame.y);
-    if (moved_[body] + growth_of_bound(displacement, frame) > before_its_skin * reference.at.skin)
-      leaving.push_back(body);
+    const double* const v = bodies_.kinematics(body).velocity;
+    const double bound = motion_bound(settings_.dt * v[0] - frame.x, settings_.dt * v[1] - frame.y,
+                                      lanes.reach[lane], settings_.dt * v[2], 0.0);
+    if (moved_[body] + bound + frame.strain > lanes.skin[lane]) leaving.push_back(body);
   }
   list_anew(leaving);
 }
@@ -141,7 +144,8 @@ void PlanarNeighbours::move_references() {
     const int lane = body % body_lanes;
     lanes.strain[lane] += step_ * lanes.strain_step[lane];
     PlanarReference& at = references_[body].at;
-    at = reference(body);
+    lanes.x[lane] = at.x += step_ * lanes.step_x[lane];
+    lanes.y[lane] = at.y += step_ * lanes.step_y[lane];
     grid_.move(body, at.x, at.y);
   }
 }
