@@ -173,7 +173,20 @@ TEST(PlanarBlocks, WhatIsRemovedIsInNobodysIndex) {
               body == 2 || body == 3 ? std::vector<int>{kept} : std::vector<int>());
 }
 
-// The SIMD loops take holes with the others: nothing may happen there, and no distance be 0.
+namespace {
+
+/// The SIMD loops take holes with the others: nothing may happen there, and no distance be 0.
+void expect_hole(const PlanarBlockPool& pool, int place) {
+  const PlanarBlockHead head = pool.head(place);
+  EXPECT_EQ(head.used | head.alive | head.full_history | head.sliding, 0);
+  EXPECT_TRUE(std::isinf(head.gap));
+  EXPECT_EQ(head.i, 0);
+  EXPECT_EQ(head.j, 0);
+  for (int lane = 0; lane < planar_lanes; ++lane) EXPECT_GT(square_of_lane(pool, place, lane), 0.5);
+}
+
+}  // namespace
+
 TEST(PlanarBlocks, HolesAreHarmless) {
   const PlanarParts parts = {10, 4};
   PlanarBlockPool pool(10, slots, 0);
@@ -182,15 +195,9 @@ TEST(PlanarBlocks, HolesAreHarmless) {
   EXPECT_EQ(pool.size(), 4) << "whole groups of four";
   int holes = 0;
   for (int place = 0; place < pool.size(); ++place) {
-    const PlanarBlockHead& head = pool.head(place);
-    if (head.used != 0) continue;
+    if (pool.head(place).used != 0) continue;
     ++holes;
-    EXPECT_EQ(head.alive | head.full_history | head.sliding, 0);
-    EXPECT_TRUE(std::isinf(head.gap));
-    EXPECT_EQ(head.i, 0);
-    EXPECT_EQ(head.j, 0);
-    for (int lane = 0; lane < planar_lanes; ++lane)
-      EXPECT_GT(square_of_lane(pool, place, lane), 0.5);
+    expect_hole(pool, place);
   }
   EXPECT_EQ(holes, 2);
 }
@@ -207,6 +214,28 @@ void fill(PlanarBlockPool& pool, const PlanarParts& parts) {
 }
 
 }  // namespace
+
+// With a last group the SIMD loops take one of which nothing comes.
+TEST(PlanarBlocks, ThereIsAGroupThatIsNeverFilled) {
+  const PlanarParts parts = {40, 10};
+  PlanarBlockPool pool(40, slots, 0);
+  const auto expect_empty = [&] {
+    ASSERT_EQ(pool.spare() % planar_group, 0);
+    for (int k = 0; k < planar_group; ++k) expect_hole(pool, pool.spare() + k);
+    for (int body = 0; body < 40; ++body)
+      for (const int place : pool.of_body(body)) EXPECT_LT(place, pool.spare());
+  };
+  expect_empty();
+  for (int round = 0; round < 3; ++round) {
+    fill(pool, parts);
+    expect_empty();
+    pool.sort(parts);
+    expect_empty();
+    for (int body = 0; body < 20; ++body) pool.remove_all_of(body);
+    expect_empty();
+  }
+  EXPECT_GT(pool.filled(), 30);
+}
 
 // Four heads share a place in memory, eight lanes a byte for each kind of bits.
 TEST(PlanarBlocks, HeadsOfAGroupAreTheirOwn) {

@@ -17,6 +17,7 @@ void PlanarBlockPool::set_arguments(int part, PlanarForceArguments& forces) {
   forces.block_laws = laws_.data();
   forces.touching = touching(part);
   forces.others = others(part);
+  forces.spare = spare();
   forces.rows = rows();
   forces.newest = velocity(0, true);
   forces.earlier = earlier();

@@ -11,6 +11,7 @@ PlanarBlockPool::PlanarBlockPool(int bodies, int slots, int hole_j, PlanarExtraR
     : slots_(slots), extra_(extra), of_body_(bodies) {
   hole_.j = hole_j;
   hole_.gap = std::numeric_limits<float>::infinity();
+  resize_blocks(0, 0);
 }
 
 void PlanarBlockPool::set_head(int place, const PlanarBlockHead& head) {
@@ -99,21 +100,27 @@ int PlanarBlockPool::take_hole(int part) {
   return place;
 }
 
-/// Makes room for `blocks` blocks in whole groups; places from `filled` on become holes.
+/// Makes room for `blocks` blocks in whole groups, and for the spare group; places from `filled` on
+/// become holes.
 void PlanarBlockPool::resize_blocks(int filled, int blocks) {
-  const int places = whole_groups(blocks);
+  const int places = whole_groups(blocks) + planar_group;
   heads_.resize(places / planar_group);
   all_values_.resize(static_cast<std::size_t>(places) * rows() * planar_lanes);
   laws_.resize(places);
   cold_.resize(places);
+  for (int place = spare(); place < places; ++place) empty(place);
   for (int place = size() - 1; place >= filled; --place) make_hole(place);
 }
 
-void PlanarBlockPool::make_hole(int place) {
+void PlanarBlockPool::empty(int place) {
   set_head(place, hole_);
   double* const of_place = mutable_values(place);
   std::fill_n(of_place + planar_xi, planar_lanes, 1.0);
   for (int row : {planar_yi, planar_xj, planar_yj}) std::fill_n(of_place + row, planar_lanes, 0.0);
+}
+
+void PlanarBlockPool::make_hole(int place) {
+  empty(place);
   if (place < sorted_)
     early_holes_.push_back({place, part_of(place)});
   else

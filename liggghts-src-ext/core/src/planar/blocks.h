@@ -52,7 +52,10 @@ class PlanarBlockPool {
 
   void resize(int bodies) { of_body_.resize(bodies); }
   /// The number of places, holes too.
-  int size() const { return planar_group * static_cast<int>(heads_.size()); }
+  int size() const { return planar_group * (static_cast<int>(heads_.size()) - 1); }
+  /// The first place of a group behind all others that is never filled: what the SIMD loops take
+  /// with a last group, as they take several at a time.
+  int spare() const { return size(); }
   /// The number of blocks.
   int filled() const { return filled_; }
   /// The number of lanes whose spheres are in contact.
@@ -175,6 +178,7 @@ class PlanarBlockPool {
   void set_fresh(int place);
   int take_hole(int part);
   void resize_blocks(int filled, int blocks);
+  void empty(int place);
   void make_hole(int place);
   void forget(int body, int place);
   void reorder(const std::vector<int>& order);

@@ -78,6 +78,10 @@ PlanarAdvanceArguments PlanarBodyStates::arguments(int part, long step) {
     arguments.past_acceleration[k] = past_acceleration_[past(k, step)].data();
   }
   arguments.evaluations = evaluations_.data();
+  const auto first = evaluations_.begin() + arguments.bodies.first;
+  arguments.any_young =
+      std::any_of(first, first + (arguments.bodies.end - arguments.bodies.first),
+                  [order](std::int8_t evaluations) { return evaluations <= order; });
   const MultistepWeights& of_velocity = adams_bashforth_weights(order);
   std::copy(of_velocity.begin(), of_velocity.end(), arguments.velocity_weights);
   for (int known = 1; known <= order + 1; ++known) {

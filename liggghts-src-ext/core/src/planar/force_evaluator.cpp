@@ -54,10 +54,11 @@ PlanarForceArguments PlanarForceEvaluator::arguments(PlanarBlockPool& pool, int 
   const MultistepWeights& weights = adams_bashforth_weights(std::max(1, settings_.order));
   for (int k = 0; k < settings_.order; ++k) forces.spring_weights[k] = settings_.dt * weights[k];
   forces.follows = follows_;
-  if (static_cast<int>(work_.general.size()) < pool.size()) {
-    work_.general.resize(pool.size());
-    work_.awake.resize(pool.size());
-    work_.awake_jumped.resize(pool.size());
+  const int room = pool.spare() + planar_group;
+  if (static_cast<int>(work_.general.size()) < room) {
+    work_.general.resize(room);
+    work_.awake.resize(room);
+    work_.awake_jumped.resize(room);
   }
   forces.general = work_.general.data();
   forces.awake = work_.awake.data();

@@ -48,10 +48,11 @@ struct PlanarForceArguments {
   PlanarGroupHeads* heads;
   double* values;
   const int* block_laws;
-  int rows;  // of the numbers of a group
+  unsigned rows;  // of the numbers of a group
   // The blocks to evaluate, in whole groups. Those of `touching` had contacts when they were
   // sorted, so that it is not worth the time to ask whether their spheres can have met.
   PlanarRange touching, others;
+  int spare;                          // the first block of a group of holes
   int slots;                          // tangential velocities that a contact remembers
   int velocity[max_multistep_order];  // offsets of these, k + 1 steps back
   int newest;                         // offset of the tangential velocity of this step
@@ -107,7 +108,7 @@ static_assert(sizeof(PlanarVector) == planar_stride &&
                   sizeof(PlanarKinematics) == 2 * planar_stride,
               "kernel.h finds loads and kinematics by the distance of vectors");
 
-constexpr int body_lanes = 4;  // bodies that the SIMD loop advances at a time
+constexpr int body_lanes = 8;  // bodies whose references lie side by side
 
 /// Reference states of so many bodies, side by side, at some step, and what they move by in each.
 /// `strain` (m) is to be added to the motion that is seen from them. A lane without a body has an
@@ -132,7 +133,8 @@ struct PlanarAdvanceArguments {
   const PlanarVector* inertia;    // 1/mass, 1/mass, 1/moment, mass
   double inverse_square_scaling;  // 1/S^2 of mass_scaling.h; 0: none
   PlanarVector *past_velocity[max_multistep_order], *past_acceleration[max_multistep_order];
-  signed char* evaluations;
+  signed char* evaluations;  // counted up to order + 1
+  bool any_young;            // whether a body has fewer
   double velocity_weights[max_multistep_order];
   double force_weights[max_multistep_order + 2][max_multistep_order];  // by number of evaluations
   const PlanarReferenceLanes* references;

@@ -22,8 +22,21 @@ namespace rodpack {
 
 namespace {
 
+namespace one_register {
 #include "lanes_avx512.h"
 #include "kernel.h"
+#include "bundles_avx512.h"
+#include "kernel_motion.h"
+}  // namespace one_register
+
+namespace two_registers {
+#include "lanes_avx512_twice.h"
+#include "kernel.h"
+}  // namespace two_registers
+
+namespace several_registers = two_registers;
+using namespace one_register;
+#include "kernel_pairs.h"
 
 }  // namespace
 
@@ -33,10 +46,11 @@ namespace {
 #pragma GCC pop_options
 #endif
 
-/// Walls and bodies are few: AVX2's loops do.
+/// Contacts with walls are few: AVX2's loop does.
 PlanarKernel planar_kernel_avx512(bool total_force_cap) {
   PlanarKernel kernel = planar_kernel_avx2(total_force_cap);
-  kernel.pairs = total_force_cap ? evaluate_pairs<WholeLoad> : evaluate_pairs<ElasticLoad>;
+  kernel.advance = advance;
+  kernel.pairs = total_force_cap ? evaluate_pairs<true> : evaluate_pairs<false>;
   return kernel;
 }
 

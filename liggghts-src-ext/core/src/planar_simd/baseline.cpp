@@ -11,16 +11,24 @@ namespace rodpack {
 
 namespace {
 
+namespace one_register {
 #include "lanes_halves.h"
 #include "kernel.h"
-#include "kernel_bodies.h"
+}  // namespace one_register
+
+namespace several_registers = one_register;
+using namespace one_register;
+#include "kernel_pairs.h"
+#include "kernel_walls.h"
+#include "bundles_of_one_body.h"
+#include "kernel_motion.h"
 
 }  // namespace
 
 PlanarKernel planar_kernel_baseline(bool total_force_cap) {
   return total_force_cap
-             ? PlanarKernel{evaluate_pairs<WholeLoad>, evaluate_walls<WholeLoad>, advance}
-             : PlanarKernel{evaluate_pairs<ElasticLoad>, evaluate_walls<ElasticLoad>, advance};
+             ? PlanarKernel{evaluate_pairs<true>, evaluate_walls<WholeLoad>, advance}
+             : PlanarKernel{evaluate_pairs<false>, evaluate_walls<ElasticLoad>, advance};
 }
 
 }  // namespace rodpack

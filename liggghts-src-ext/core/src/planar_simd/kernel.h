@@ -3,9 +3,10 @@
 // happens in the step (they last, stick or slide on, push as before) take the fast path here, by
 // the same formulas as all others, which take the general path (force_evaluator.cpp).
 //
-// Included once by a source for one set of instructions, in an unnamed namespace, after the header
-// of its lanes, which sets `Lanes`, `LaneMask` and how many blocks they hold. Nothing else may be
-// used here but arguments.h: see there.
+// Included by a source for one set of instructions, in a namespace of its own within an unnamed
+// one, after the header of its lanes, which sets `Lanes`, `LaneMask` and how many blocks they hold,
+// in one register or in two (lane_runs.h). Nothing else may be used here but arguments.h: see
+// there.
 
 #include "rodpack/contact/contact_formulas.h"
 
@@ -15,34 +16,55 @@ struct LaneContacts {
   typedef LaneMask Mask;
 };
 
+/// The load of the cap of friction: the whole normal force or its elastic part.
+template <bool whole>
+struct Cap {
+  typedef ElasticLoad Load;
+};
+template <>
+struct Cap<true> {
+  typedef WholeLoad Load;
+};
+
 /// A pointer to a constant structure for each block of a register.
 typedef const double* const BlockConstants[lane_blocks];
 
-/// The heads of the blocks in a register.
+/// The heads of the blocks in Lanes.
 struct LaneHeads {
-  PlanarGroupHeads& group;
-  const int first;  // of the blocks in the group
-
-  LaneHeads(const PlanarForceArguments& forces, int block)
-      : group(forces.heads[block / planar_group]),
-        first(lane_blocks == planar_group ? 0 : block % planar_group) {}
-  /// Of each block, as PlanarGroupHeads has it.
-  const std::uint32_t* i() const { return group.i + first; }
-  const std::int32_t* j() const { return group.j + first; }
-  float* gap() const { return group.gap + first; }
+  LaneHeads(const PlanarForceArguments& forces, LanePlaces places) {
+    for (int r = 0; r < lane_runs; ++r) {
+      group_[r] = &forces.heads[places.first[r] / planar_group];
+      first_[r] = places.in_group(r);
+    }
+  }
+  /// Of block b, as PlanarGroupHeads has it.
+  std::uint32_t i(int b) const { return group(b).i[in_group(b)]; }
+  std::int32_t j(int b) const { return group(b).j[in_group(b)]; }
+  float& gap(int b) const { return group(b).gap[in_group(b)]; }
   /// The indices of the bodies of block b; negative: a wall.
-  int body_i(int b) const { return static_cast<int>(i()[b] / planar_stride); }
-  int body_j(int b) const { return j()[b] < 0 ? j()[b] : j()[b] / planar_stride; }
-  bool is_fresh(int b) const { return (group.fresh & 1 << (first + b)) != 0; }
-  /// Some of the bits that it keeps, of the lanes in the register.
-  int bits(std::uint8_t of_group) const { return of_group >> first * planar_lanes & all; }
+  int body_i(int b) const { return static_cast<int>(i(b) / planar_stride); }
+  int body_j(int b) const { return j(b) < 0 ? j(b) : j(b) / planar_stride; }
+  bool is_fresh(int b) const { return (group(b).fresh & 1 << in_group(b)) != 0; }
+  /// Some of the bits that groups keep, of the lanes.
+  int bits(std::uint8_t PlanarGroupHeads::*of_group) const {
+    int bits = 0;
+    for (int r = 0; r < lane_runs; ++r)
+      bits |= (group_[r]->*of_group >> first_[r] * planar_lanes & all_of_run) << r * run_lanes;
+    return bits;
+  }
   void set_sliding(int sliding) const {
-    const int shift = first * planar_lanes;
-    group.sliding = static_cast<std::uint8_t>((group.sliding & ~(all << shift)) | sliding << shift);
+    for (int r = 0; r < lane_runs; ++r) {
+      const int shift = first_[r] * planar_lanes, of_run = sliding >> r * run_lanes & all_of_run;
+      std::uint8_t& bits = group_[r]->sliding;
+      bits = static_cast<std::uint8_t>((bits & ~(all_of_run << shift)) | of_run << shift);
+    }
   }
 
  private:
-  static constexpr int all = (1 << lane_blocks * planar_lanes) - 1;
+  PlanarGroupHeads& group(int b) const { return *group_[b / run_blocks]; }
+  int in_group(int b) const { return first_[b / run_blocks] + b % run_blocks; }
+  PlanarGroupHeads* group_[lane_runs];
+  int first_[lane_runs];  // of the blocks of a run in their group
 };
 
 /// The kinematics of a body of a pair, and the load on it.
@@ -54,14 +76,19 @@ inline double* load_at(const PlanarForceArguments& forces, std::uint32_t place) 
   return reinterpret_cast<double*>(reinterpret_cast<char*>(forces.loads) + place);
 }
 
-/// Values of the blocks from `first` on, which is a multiple of lane_blocks.
-inline double* values_of(const PlanarForceArguments& forces, int first) {
-  const long group = first / planar_group;
-  return forces.values + group * forces.rows * planar_row + first % planar_group * planar_lanes;
+/// Values of the blocks; the first of each run is a multiple of run_blocks.
+inline LaneValues values_of(const PlanarForceArguments& forces, LanePlaces places) {
+  LaneValues values;
+  for (int r = 0; r < lane_runs; ++r) {
+    const unsigned long group = places.first[r] / planar_group;
+    values.of[r] =
+        forces.values + group * forces.rows * planar_row + places.in_group(r) * planar_lanes;
+  }
+  return values;
 }
 
 // Whole stores: stores under a mask are slow on some processors.
-inline void keep_lanes(LaneMask where, double* place, Lanes x) {
+inline void keep_lanes(LaneMask where, LaneValues place, Lanes x) {
   store_lanes(place, lane_choice(where, x, load_lanes(place)));
 }
 
@@ -90,10 +117,10 @@ struct LaneForces {
 #include "kernel_jumps.h"
 
 /// Sets the constants of the contacts of the blocks from `first` on.
-inline void set_constants(int first, const double* values, const PlanarForceArguments& forces,
+inline void set_constants(LanePlaces places, LaneValues values, const PlanarForceArguments& forces,
                           LastingContact<LaneContacts>& contact) {
   const double* gammas[lane_blocks];
-  for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
+  for (int b = 0; b < lane_blocks; ++b) gammas[b] = (values + planar_gammas).block(b);
   each_two(gammas, 0, contact.normal_damping, contact.tangential_damping);
   contact.friction = all_lanes(forces.laws->friction);
   contact.normal_stiffness = all_lanes(forces.laws->kn);
@@ -102,14 +129,14 @@ inline void set_constants(int first, const double* values, const PlanarForceArgu
   if (!forces.one_law) {
     const double* laws[lane_blocks];
     for (int b = 0; b < lane_blocks; ++b)
-      laws[b] = reinterpret_cast<const double*>(&forces.laws[forces.block_laws[first + b]]);
+      laws[b] = reinterpret_cast<const double*>(&forces.laws[forces.block_laws[places.block(b)]]);
     each_four(laws, 0, contact.normal_stiffness, contact.tangential_stiffness,
               contact.inverse_stiffness.inverse, contact.friction);
   }
 }
 
 /// What the dashpots of contacts with a relaxation time feel (dashpot_relaxation.h).
-inline void relax(const double* values, const PlanarForceArguments& forces,
+inline void relax(LaneValues values, const PlanarForceArguments& forces,
                   LastingContact<LaneContacts>& contact) {
   contact.separation_velocity = relaxed_velocity(load_lanes(values + forces.felt_velocity),
                                                  contact.separation_velocity, forces.kept);
@@ -121,12 +148,12 @@ inline void relax(const double* values, const PlanarForceArguments& forces,
 /// step. `sliding`: lanes that slid; becomes those that do. `Load`: of the cap of friction.
 /// `Jumps`: what is known of the jumps of the bodies.
 template <class Load, class Jumps>
-inline LaneForces lasting_forces(int first, double* values, const LaneMotion& motion, int lasting,
-                                 int& sliding, const Jumps& jumps,
-                                 const PlanarForceArguments& forces) {
+inline __attribute__((always_inline)) LaneForces lasting_forces(
+    LanePlaces places, LaneValues values, const LaneMotion& motion, int lasting, int& sliding,
+    const Jumps& jumps, const PlanarForceArguments& forces) {
   const Lanes zero = all_lanes(0.0);
   LastingContact<LaneContacts> contact;
-  set_constants(first, values, forces, contact);
+  set_constants(places, values, forces, contact);
   contact.overlap = motion.overlap;
   contact.separation_velocity = motion.separation_velocity;
   contact.viscoelastic_before = load_lanes(values + planar_viscoelastic);
@@ -177,7 +204,7 @@ struct LaneBody {
   Vector2<Lanes> arm;
 };
 /// `offset_x`, `offset_y`: of the spheres, in the frames of the bodies.
-inline LaneBody bodies_of(BlockConstants& body, const double* offset_x, const double* offset_y) {
+inline LaneBody bodies_of(BlockConstants& body, LaneValues offset_x, LaneValues offset_y) {
   LaneBody of;
   Lanes cosine, sine;
   each_four(body, body_pose, of.x, of.y, cosine, sine);
@@ -188,9 +215,11 @@ inline LaneBody bodies_of(BlockConstants& body, const double* offset_x, const do
 
 /// Adds the forces `on_i` of the contacts in a register, and the weights of those that act, to the
 /// loads on their bodies.
-inline void add_forces(const LaneMotion& motion, Vector2<Lanes> on_i, int acts,
-                       const double* values, double* const (&load_i)[lane_blocks],
-                       double* const (&load_j)[lane_blocks], const PlanarForceArguments& forces) {
+inline __attribute__((always_inline)) void add_forces(const LaneMotion& motion, Vector2<Lanes> on_i,
+                                                      int acts, LaneValues values,
+                                                      double* const (&load_i)[lane_blocks],
+                                                      double* const (&load_j)[lane_blocks],
+                                                      const PlanarForceArguments& forces) {
   const Lanes about_i = cross_z(motion.lever_i, on_i), about_j = cross_z(motion.lever_j, on_i);
   if (forces.weight_i == 0) {
     add_loads(on_i.x, on_i.y, about_i, about_j, load_i, load_j);
@@ -212,40 +241,43 @@ inline void set_gaps(const LaneHeads& heads, Lanes square, Lanes reach,
   Lanes r, inverse;
   lane_roots(square, r, inverse);
   alignas(64) double gaps[lane_blocks * planar_lanes];
-  store_lanes(gaps, lane_choice(lanes_of_bits(heads.bits(heads.group.used)),
-                                r - (1.0 + 1e-9) * reach, all_lanes(1e30)));
+  LaneValues to;
+  for (int run = 0; run < lane_runs; ++run) to.of[run] = gaps + run * run_lanes;
+  store_lanes(to, lane_choice(lanes_of_bits(heads.bits(&PlanarGroupHeads::used)),
+                              r - (1.0 + 1e-9) * reach, all_lanes(1e30)));
   for (int b = 0; b < lane_blocks; ++b) {
     if (heads.is_fresh(b)) continue;
     const double *const gap = gaps + b * planar_lanes, smallest = gap[0] < gap[1] ? gap[0] : gap[1];
     const double way =
         forces.travelled[heads.body_i(b)] + forces.travelled[heads.body_j(b)] + smallest;
-    heads.gap()[b] = static_cast<float>((1.0 - 1e-7) * way);  // never rounded up
+    heads.gap(b) = static_cast<float>((1.0 - 1e-7) * way);  // never rounded up
   }
 }
 
 /// Evaluates the lasting contacts of the blocks from `first` on; returns the lanes that need the
 /// general path.
 template <class Load, class Jumps>
-inline __attribute__((always_inline)) int evaluate_blocks(int first,
+inline __attribute__((always_inline)) int evaluate_blocks(LanePlaces places,
                                                           const PlanarForceArguments& forces) {
-  const LaneHeads heads(forces, first);
-  double* const values = values_of(forces, first);
+  const LaneHeads heads(forces, places);
+  const LaneValues values = values_of(forces, places);
   const double *body_i[lane_blocks], *body_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    body_i[b] = kinematics_at(forces, heads.i()[b]);
-    body_j[b] = kinematics_at(forces, heads.j()[b]);
+    body_i[b] = kinematics_at(forces, heads.i(b));
+    body_j[b] = kinematics_at(forces, heads.j(b));
   }
   const LaneBody i = bodies_of(body_i, values + planar_xi, values + planar_yi);
   const LaneBody j = bodies_of(body_j, values + planar_xj, values + planar_yj);
   const Lanes dx = (i.x - j.x) + (i.arm.x - j.arm.x), dy = (i.y - j.y) + (i.arm.y - j.arm.y);
   const Lanes square = dx * dx + dy * dy, reach = i.radius + j.radius;
-  const int touching = lane_bits(lane_less(square, reach * reach)) & heads.bits(heads.group.used);
-  const int here = touching | heads.bits(heads.group.alive);
+  const int touching =
+      lane_bits(lane_less(square, reach * reach)) & heads.bits(&PlanarGroupHeads::used);
+  const int here = touching | heads.bits(&PlanarGroupHeads::alive);
   if (here == 0) {
     set_gaps(heads, square, reach, forces);
     return 0;
   }
-  const int lasting = touching & heads.bits(heads.group.full_history);
+  const int lasting = touching & heads.bits(&PlanarGroupHeads::full_history);
   const int general = here & ~lasting;
   if (lasting == 0) return general;
 
@@ -261,15 +293,15 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
   const Vector2<Lanes> of_centres = {i.velocity_x - j.velocity_x, i.velocity_y - j.velocity_y};
   set_velocities(motion, velocity_at(velocity_at(of_centres, i.spin, motion.lever_i), -j.spin,
                                      motion.lever_j));
-  int sliding = heads.bits(heads.group.sliding);
+  int sliding = heads.bits(&PlanarGroupHeads::sliding);
   const Jumps jumps = Jumps::of(heads, values, motion, forces);
   const LaneForces force =
-      lasting_forces<Load>(first, values, motion, lasting, sliding, jumps, forces);
+      lasting_forces<Load>(places, values, motion, lasting, sliding, jumps, forces);
   heads.set_sliding(sliding);
   double *load_i[lane_blocks], *load_j[lane_blocks];
   for (int b = 0; b < lane_blocks; ++b) {
-    load_i[b] = load_at(forces, heads.i()[b]);
-    load_j[b] = load_at(forces, heads.j()[b]);
+    load_i[b] = load_at(forces, heads.i(b));
+    load_j[b] = load_at(forces, heads.j(b));
   }
   add_forces(motion, in_space(motion.normal, force.normal, force.tangential), force.acts, values,
              load_i, load_j, forces);
@@ -281,61 +313,15 @@ inline __attribute__((always_inline)) int evaluate_blocks(int first,
 /// The same of blocks with a body that had an event in the step before: a function of its own, so
 /// that the others do not pay for its registers.
 template <class Load>
-__attribute__((noinline)) int evaluate_jumped_blocks(int first,
+__attribute__((noinline)) int evaluate_jumped_blocks(LanePlaces places,
                                                      const PlanarForceArguments& forces) {
-  return evaluate_blocks<Load, LaneJumps>(first, forces);
+  return evaluate_blocks<Load, LaneJumps>(places, forces);
 }
 
 /// Enters the blocks from `first` on that have lanes for the general path.
-inline void enter_general(int first, int general, const PlanarForceArguments& forces,
+inline void enter_general(LanePlaces places, int general, const PlanarForceArguments& forces,
                           int& entries) {
   for (int b = 0; general != 0; ++b, general >>= planar_lanes)
     if ((general & all_of_block) != 0)
-      forces.general[entries++] = {first + b, general & all_of_block};
-}
-
-/// Lists where the registers begin that have to be evaluated: all that touch, and those of the
-/// others that may. Without branches, as there is no telling which.
-inline int find_awake(const PlanarForceArguments& forces) {
-  int count = 0;
-  for (int first = forces.touching.first; first < forces.touching.end; first += lane_blocks)
-    forces.awake[count++] = first;
-  for (int first = forces.others.first; first < forces.others.end; first += lane_blocks) {
-    const LaneHeads heads(forces, first);
-    forces.awake[count] = first;
-    count += (heads.bits(heads.group.alive) != 0) |
-             any_has_met(forces.travelled, heads.i(), heads.j(), heads.gap());
-  }
-  return count;
-}
-
-/// Moves those of bodies that had an event in the step before from this list, whose length is
-/// given, to one of their own; returns how many.
-inline int set_jumped_apart(const PlanarForceArguments& forces, int& count) {
-  if (!forces.jumped) return 0;
-  int plain = 0, jumped = 0;
-  for (int k = 0; k < count; ++k) {
-    const int first = forces.awake[k];
-    const int has_jumped = have_jumped(LaneHeads(forces, first), forces);
-    forces.awake[plain] = forces.awake_jumped[jumped] = first;
-    plain += 1 - has_jumped;
-    jumped += has_jumped;
-  }
-  count = plain;
-  return jumped;
-}
-
-template <class Load>
-int evaluate_pairs(const PlanarForceArguments& forces) {
-  int entries = 0, plain = find_awake(forces);
-  const int jumped = set_jumped_apart(forces, plain);
-  for (int k = 0; k < plain; ++k) {
-    const int first = forces.awake[k];
-    enter_general(first, evaluate_blocks<Load, NoJumps>(first, forces), forces, entries);
-  }
-  for (int k = 0; k < jumped; ++k) {
-    const int first = forces.awake_jumped[k];
-    enter_general(first, evaluate_jumped_blocks<Load>(first, forces), forces, entries);
-  }
-  return entries;
+      forces.general[entries++] = {places.block(b), general & all_of_block};
 }

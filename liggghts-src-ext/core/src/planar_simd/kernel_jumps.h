@@ -18,7 +18,7 @@ struct SideJump {
 };
 /// They follow from the jumps of the bodies, one for each block. `x`, `y`: of the spheres in the
 /// frames of the bodies; `length`: of the levers from there, for j with a minus sign.
-inline SideJump side_jump(BlockConstants& of, const double* x, const double* y, Lanes length,
+inline SideJump side_jump(BlockConstants& of, LaneValues x, LaneValues y, Lanes length,
                           Vector2<Lanes> normal) {
   Lanes ax, ay, aw, vx, vy, vw, dx, dy, dw, cosine, sine, none;
   each_four(of, 0, ax, ay, aw, vx);
@@ -30,15 +30,7 @@ inline SideJump side_jump(BlockConstants& of, const double* x, const double* y, 
   return {velocity_at(a, aw, lever), velocity_at(v, vw, lever), velocity_at(d, dw, lever)};
 }
 
-/// Whether a body of the blocks had an event in the step before: 0 or 1.
-inline int have_jumped(const LaneHeads& heads, const PlanarForceArguments& forces) {
-  int jumped = 0;
-  for (int b = 0; b < lane_blocks; ++b)
-    jumped |= forces.jumped[heads.i()[b] / planar_stride] |
-              forces.jumped[static_cast<std::uint32_t>(heads.j()[b]) / planar_stride];
-  return jumped != 0;
-}
-/// The same of blocks of walls.
+/// Whether a body of blocks of walls had an event in the step before.
 inline bool have_jumped_at_wall(const LaneHeads& heads, const PlanarForceArguments& forces) {
   if (!forces.jumped) return false;
   int jumped = 0;
@@ -52,7 +44,7 @@ struct LaneJumps {
   JumpAlong<Lanes> normal, tangential;
   int lanes;  // of the blocks whose bodies have jumped; the others' jumps are 0
 
-  static LaneJumps of(const LaneHeads& heads, const double* values, const LaneMotion& motion,
+  static LaneJumps of(const LaneHeads& heads, LaneValues values, const LaneMotion& motion,
                       const PlanarForceArguments& forces) {
     static const PlanarJump none = PlanarJump();
     const double *of_i[lane_blocks], *of_j[lane_blocks];
@@ -85,8 +77,7 @@ struct LaneJumps {
 /// Stands for the jumps of contacts whose bodies had none.
 struct NoJumps {
   static constexpr bool any = false;
-  static NoJumps of(const LaneHeads&, const double*, const LaneMotion&,
-                    const PlanarForceArguments&) {
+  static NoJumps of(const LaneHeads&, LaneValues, const LaneMotion&, const PlanarForceArguments&) {
     return {};
   }
 };
@@ -97,7 +88,7 @@ struct NoJumps {
 /// the general path knows: those without a dashpot, and, under the cap of the whole normal force,
 /// slides, which learn of the jump through that force, and friction that begins anew.
 template <class Load>
-inline LaneMask follow_jumps(const LaneJumps& jumps, const double* values,
+inline LaneMask follow_jumps(const LaneJumps& jumps, LaneValues values,
                              const PlanarForceArguments& forces,
                              LastingContact<LaneContacts>& contact, Lanes& before,
                              Lanes (&velocity)[max_multistep_order]) {
@@ -114,7 +105,7 @@ inline LaneMask follow_jumps(const LaneJumps& jumps, const double* values,
   return unfit & lanes_of_bits(jumps.lanes);
 }
 template <class Load>
-inline LaneMask follow_jumps(const NoJumps&, const double*, const PlanarForceArguments&,
+inline LaneMask follow_jumps(const NoJumps&, LaneValues, const PlanarForceArguments&,
                              LastingContact<LaneContacts>&, Lanes&,
                              Lanes (&)[max_multistep_order]) {
   return lanes_of_bits(0);
@@ -159,12 +150,12 @@ inline ChangeMoments<Lanes> torque_about(const LaneSide& side,
 /// Adds up over the bodies by how much the dashpots of contacts that act have missed the jumps:
 /// those of the normal where the contact pushes, those of the tangent where it sticks.
 inline void report_jumps(const LaneHeads& heads, const LaneMotion& motion, const LaneBodies& bodies,
-                         const double* values, const LaneForces& force, const LaneJumps& jumps,
+                         LaneValues values, const LaneForces& force, const LaneJumps& jumps,
                          const PlanarForceArguments& forces) {
   const int feel = force.acts & jumps.lanes & (force.pushes | ~force.slides);
   if (feel == 0) return;
   const double* gammas[lane_blocks];
-  for (int b = 0; b < lane_blocks; ++b) gammas[b] = values + planar_gammas + b * planar_lanes;
+  for (int b = 0; b < lane_blocks; ++b) gammas[b] = (values + planar_gammas).block(b);
   const Lanes zero = all_lanes(0.0);
   Lanes along_normal, along_tangent;
   each_two(gammas, 0, along_normal, along_tangent);
@@ -212,5 +203,5 @@ inline void report_jumps(const LaneHeads& heads, const LaneMotion& motion, const
   add(&PlanarChangeSums::impulse_integral, on_i.impulse_integral, about_i.impulse_integral,
       about_j.impulse_integral);
 }
-inline void report_jumps(const LaneHeads&, const LaneMotion&, const LaneBodies&, const double*,
+inline void report_jumps(const LaneHeads&, const LaneMotion&, const LaneBodies&, LaneValues,
                          const LaneForces&, const NoJumps&, const PlanarForceArguments&) {}

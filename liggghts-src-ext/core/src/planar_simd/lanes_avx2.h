@@ -2,6 +2,9 @@
 // Four doubles at a time in one register of AVX2; see kernel.h.
 
 constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
+constexpr int lane_runs = 1;    // of blocks that are neighbours
+
+#include "lane_runs.h"
 
 typedef double Lanes __attribute__((vector_size(32)));
 typedef double StoredLanes __attribute__((vector_size(32), may_alias));  // what lies in memory
@@ -11,6 +14,8 @@ inline Lanes load_lanes(const double* values) {
   return *reinterpret_cast<const StoredLanes*>(values);
 }
 inline void store_lanes(double* values, Lanes x) { *reinterpret_cast<StoredLanes*>(values) = x; }
+inline Lanes load_lanes(LaneValues values) { return load_lanes(values.of[0]); }
+inline void store_lanes(LaneValues values, Lanes x) { store_lanes(values.of[0], x); }
 inline Lanes all_lanes(double x) { return Lanes{x, x, x, x}; }
 inline Lanes lane_abs(Lanes x) { return (Lanes)_mm256_andnot_pd(_mm256_set1_pd(-0.0), (__m256d)x); }
 /// Sets the square root and its inverse.
@@ -37,16 +42,21 @@ inline LaneMask lanes_of_bits(int bits) {
   return masks[bits];
 }
 
-/// Exchanges rows and columns.
-inline void transpose_lanes(Lanes (&rows)[4]) {
-  const __m256d a = (__m256d)rows[0], b = (__m256d)rows[1];
-  const __m256d c = (__m256d)rows[2], d = (__m256d)rows[3];
+/// Turns bundles, four numbers of a body each, into lanes of one number of all bodies each, or
+/// back.
+inline void bundles_to_numbers(Lanes (&of)[4]) {
+  const __m256d a = (__m256d)of[0], b = (__m256d)of[1];
+  const __m256d c = (__m256d)of[2], d = (__m256d)of[3];
   const __m256d low_ab = _mm256_unpacklo_pd(a, b), high_ab = _mm256_unpackhi_pd(a, b);
   const __m256d low_cd = _mm256_unpacklo_pd(c, d), high_cd = _mm256_unpackhi_pd(c, d);
-  rows[0] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x20);
-  rows[1] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x20);
-  rows[2] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x31);
-  rows[3] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x31);
+  of[0] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x20);
+  of[1] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x20);
+  of[2] = (Lanes)_mm256_permute2f128_pd(low_ab, low_cd, 0x31);
+  of[3] = (Lanes)_mm256_permute2f128_pd(high_ab, high_cd, 0x31);
+}
+/// The last number of a bundle in all lanes.
+inline Lanes fourth_of_each(Lanes bundle) {
+  return (Lanes)_mm256_permute4x64_pd((__m256d)bundle, 0xff);
 }
 
 /// Loads two numbers of each block b, those at of[b] + index and after it: each fills all lanes of

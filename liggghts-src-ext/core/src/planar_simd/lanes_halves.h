@@ -4,6 +4,9 @@
 // through memory.
 
 constexpr int lane_blocks = 2;  // blocks that are evaluated at a time
+constexpr int lane_runs = 1;    // of blocks that are neighbours
+
+#include "lane_runs.h"
 
 typedef double HalfLanes __attribute__((vector_size(16), may_alias));
 typedef long long HalfMask __attribute__((vector_size(16), may_alias));
@@ -46,6 +49,8 @@ inline void store_lanes(double* values, Lanes x) {
   halves[0] = x.low;
   halves[1] = x.high;
 }
+inline Lanes load_lanes(LaneValues values) { return load_lanes(values.of[0]); }
+inline void store_lanes(LaneValues values, Lanes x) { store_lanes(values.of[0], x); }
 inline HalfLanes half_sqrt(HalfLanes x) {
 #ifdef __SSE2__
   return (HalfLanes)_mm_sqrt_pd((__m128d)x);
@@ -85,14 +90,17 @@ inline LaneMask lanes_of_bits(int bits) {
           -static_cast<long long>(bits >> 2 & 1), -static_cast<long long>(bits >> 3 & 1)};
 }
 
-/// Exchanges rows and columns.
-inline void transpose_lanes(Lanes (&rows)[4]) {
-  const Lanes a = rows[0], b = rows[1], c = rows[2], d = rows[3];
-  rows[0] = {a.low[0], b.low[0], c.low[0], d.low[0]};
-  rows[1] = {a.low[1], b.low[1], c.low[1], d.low[1]};
-  rows[2] = {a.high[0], b.high[0], c.high[0], d.high[0]};
-  rows[3] = {a.high[1], b.high[1], c.high[1], d.high[1]};
+/// Turns bundles, four numbers of a body each, into lanes of one number of all bodies each, or
+/// back.
+inline void bundles_to_numbers(Lanes (&of)[4]) {
+  const Lanes a = of[0], b = of[1], c = of[2], d = of[3];
+  of[0] = {a.low[0], b.low[0], c.low[0], d.low[0]};
+  of[1] = {a.low[1], b.low[1], c.low[1], d.low[1]};
+  of[2] = {a.high[0], b.high[0], c.high[0], d.high[0]};
+  of[3] = {a.high[1], b.high[1], c.high[1], d.high[1]};
 }
+/// The last number of a bundle in all lanes.
+inline Lanes fourth_of_each(Lanes bundle) { return all_lanes(bundle.high[1]); }
 
 /// Loads two numbers of each block b, those at of[b] + index and after it: each fills all lanes of
 /// its block.
