@@ -23,33 +23,33 @@ inline Lanes each_number(const double* const (&of)[bundle_bodies], int index) {
   const __m512d first = _mm512_set1_pd(of[0][index]);
   return _mm512_mask_broadcastsd_pd(first, 0xf0, _mm_load_sd(of[1] + index));
 }
-/// Turns bundles, four numbers of two bodies each, into lanes of one number of all bodies each.
-inline void bundles_to_numbers(Lanes (&of)[4]) {
+/// Sets the first two of four registers to what `first` picks, by number, from the first numbers of
+/// each two neighbours in them, and from the second ones; the last two to what `last` picks.
+inline void shuffle(Lanes (&of)[4], __m512i first, __m512i last) {
   const __m512d low_ab = _mm512_unpacklo_pd(of[0], of[1]);
   const __m512d high_ab = _mm512_unpackhi_pd(of[0], of[1]);
   const __m512d low_cd = _mm512_unpacklo_pd(of[2], of[3]);
   const __m512d high_cd = _mm512_unpackhi_pd(of[2], of[3]);
-  const __m512i first = _mm512_setr_epi64(0, 4, 1, 5, 8, 12, 9, 13);
-  const __m512i last = _mm512_setr_epi64(2, 6, 3, 7, 10, 14, 11, 15);
   of[0] = _mm512_permutex2var_pd(low_ab, first, low_cd);
   of[1] = _mm512_permutex2var_pd(high_ab, first, high_cd);
   of[2] = _mm512_permutex2var_pd(low_ab, last, low_cd);
   of[3] = _mm512_permutex2var_pd(high_ab, last, high_cd);
 }
+/// Turns bundles, four numbers of two bodies each, into lanes of one number of all bodies each.
+inline void bundles_to_numbers(Lanes (&of)[4]) {
+  shuffle(of, _mm512_setr_epi64(0, 4, 1, 5, 8, 12, 9, 13),
+          _mm512_setr_epi64(2, 6, 3, 7, 10, 14, 11, 15));
+}
 /// Stores the positions and directions of so many bodies, given as lanes of x, y, cosine and sine.
 inline void store_poses(Lanes (&numbers)[4], PlanarKinematics* of, int members) {
-  const __m512d even_ab = _mm512_unpacklo_pd(numbers[0], numbers[1]);
-  const __m512d odd_ab = _mm512_unpackhi_pd(numbers[0], numbers[1]);
-  const __m512d even_cd = _mm512_unpacklo_pd(numbers[2], numbers[3]);
-  const __m512d odd_cd = _mm512_unpackhi_pd(numbers[2], numbers[3]);
-  const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11);
-  const __m512i high = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+  shuffle(numbers, _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11),
+          _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15));
   const auto store = [&](int body, __m512d both) {  // of body and the second one after it
     if (body < members) _mm256_store_pd(&of[body].x, _mm512_castpd512_pd256(both));
     if (body + 2 < members) _mm256_store_pd(&of[body + 2].x, _mm512_extractf64x4_pd(both, 1));
   };
-  store(0, _mm512_permutex2var_pd(even_ab, low, even_cd));
-  store(1, _mm512_permutex2var_pd(odd_ab, low, odd_cd));
-  store(4, _mm512_permutex2var_pd(even_ab, high, even_cd));
-  store(5, _mm512_permutex2var_pd(odd_ab, high, odd_cd));
+  store(0, numbers[0]);
+  store(1, numbers[1]);
+  store(4, numbers[2]);
+  store(5, numbers[3]);
 }

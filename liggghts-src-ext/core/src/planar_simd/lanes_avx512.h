@@ -68,6 +68,7 @@ inline Lanes lane_abs(Lanes x) { return _mm512_abs_pd(x); }
 inline __m512d of_two(__m256d first, __m256d second) {
   return _mm512_insertf64x4(_mm512_castpd256_pd512(first), second, 1);
 }
+
 /// Loads two numbers of each block b, those at of[b] + index and after it: each fills all lanes of
 /// its block.
 inline void each_two(const double* const (&of)[lane_blocks], int index, Lanes& first,

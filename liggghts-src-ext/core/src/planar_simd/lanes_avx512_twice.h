@@ -21,18 +21,8 @@ struct Lanes {
 struct LaneMask {
   HalfMask low, high;
 };
-inline Lanes operator+(Lanes a, Lanes b) { return {a.low + b.low, a.high + b.high}; }
-inline Lanes operator-(Lanes a, Lanes b) { return {a.low - b.low, a.high - b.high}; }
-inline Lanes operator*(Lanes a, Lanes b) { return {a.low * b.low, a.high * b.high}; }
-inline Lanes operator-(Lanes a) { return {-a.low, -a.high}; }
-inline Lanes operator+(double a, Lanes b) { return {a + b.low, a + b.high}; }
-inline Lanes operator-(double a, Lanes b) { return {a - b.low, a - b.high}; }
-inline Lanes operator*(double a, Lanes b) { return {a * b.low, a * b.high}; }
-inline Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
-inline LaneMask operator&(LaneMask a, LaneMask b) { return {a.low & b.low, a.high & b.high}; }
-inline LaneMask operator|(LaneMask a, LaneMask b) { return {a.low | b.low, a.high | b.high}; }
-inline LaneMask operator^(LaneMask a, LaneMask b) { return {a.low ^ b.low, a.high ^ b.high}; }
-inline LaneMask operator~(LaneMask a) { return {~a.low, ~a.high}; }
+
+#include "operators_of_halves.h"
 
 inline Lanes load_lanes(LaneValues values) {
   return {one_register::load_lanes(values.of[0]), one_register::load_lanes(values.of[1])};

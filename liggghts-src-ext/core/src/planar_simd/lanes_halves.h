@@ -25,20 +25,7 @@ struct LaneMask {
   LaneMask(long long a, long long b, long long c, long long d) : low{a, b}, high{c, d} {}
 };
 
-inline Lanes operator+(Lanes a, Lanes b) { return {a.low + b.low, a.high + b.high}; }
-inline Lanes operator-(Lanes a, Lanes b) { return {a.low - b.low, a.high - b.high}; }
-inline Lanes operator*(Lanes a, Lanes b) { return {a.low * b.low, a.high * b.high}; }
-inline Lanes operator-(Lanes a) { return {-a.low, -a.high}; }
-inline Lanes operator+(double a, Lanes b) { return {a + b.low, a + b.high}; }
-inline Lanes operator-(double a, Lanes b) { return {a - b.low, a - b.high}; }
-inline Lanes operator*(double a, Lanes b) { return {a * b.low, a * b.high}; }
-inline Lanes operator/(double a, Lanes b) { return {a / b.low, a / b.high}; }
-inline Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
-
-inline LaneMask operator&(LaneMask a, LaneMask b) { return {a.low & b.low, a.high & b.high}; }
-inline LaneMask operator|(LaneMask a, LaneMask b) { return {a.low | b.low, a.high | b.high}; }
-inline LaneMask operator^(LaneMask a, LaneMask b) { return {a.low ^ b.low, a.high ^ b.high}; }
-inline LaneMask operator~(LaneMask a) { return {~a.low, ~a.high}; }
+#include "operators_of_halves.h"
 
 inline Lanes load_lanes(const double* values) {
   const HalfLanes* halves = reinterpret_cast<const HalfLanes*>(values);
