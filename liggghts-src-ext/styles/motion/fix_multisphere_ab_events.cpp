@@ -79,7 +79,7 @@ void FixMultisphereAB::sum_changes() {
 }
 
 SpatialJump FixMultisphereAB::correct_planar(int body, const BodyChange& sum) {
-  const rodpack::PlanarCorrection<double> correction = {mass_(body), moment_about_z(body)};
+  const rodpack::PlanarCorrection correction = {mass_(body), moment_about_z(body)};
   const rodpack::PlanarBodyChange in_plane = rodpack::in_plane(sum);
   const SpatialJump jump = rodpack::to_space(correction.missed(in_plane));
   keep_missed_motion(body, jump, sum.torque.impulse);

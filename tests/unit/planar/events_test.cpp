@@ -38,14 +38,14 @@ PlanarEvents events_of_three() {
 
 struct ChangedBody {
   int body;
-  PlanarBodyChange sum;
+  PlanarChangeSums sum;
   bool jumps;
 };
 
 std::vector<ChangedBody> changes(const PlanarEvents& events, int part) {
   std::vector<ChangedBody> result;
   events.each_changed(part, [&](int body, bool jumps) {
-    result.push_back({body, events.change(body), jumps});
+    result.push_back({body, events.changes(body), jumps});
   });
   return result;
 }
@@ -84,11 +84,11 @@ TEST(PlanarEvents, TouchChangesForceAndTorqueOfBothBodies) {
     const double sign = part == 0 ? 1 : -1;
     EXPECT_EQ(change.body, part == 0 ? 0 : 2);
     EXPECT_TRUE(change.jumps);
-    EXPECT_NEAR(change.sum.force.impulse[1], sign * impulse, 1e-9 * impulse);
-    EXPECT_NEAR(change.sum.force.now[1], sign * (k * w * s + c * w), 1e-9 * c * w);
-    EXPECT_EQ(change.sum.force.impulse[0], 0);
-    EXPECT_NEAR(change.sum.torque.impulse[0], sign * arm * impulse, 1e-9 * arm * impulse);
-    EXPECT_NEAR(change.sum.torque.rate[0], sign * arm * k * w, 1e-9 * arm * k * w);
+    EXPECT_NEAR(change.sum.impulse.d[1], sign * impulse, 1e-9 * impulse);
+    EXPECT_NEAR(change.sum.now.d[1], sign * (k * w * s + c * w), 1e-9 * c * w);
+    EXPECT_EQ(change.sum.impulse.d[0], 0);
+    EXPECT_NEAR(change.sum.impulse.d[2], sign * arm * impulse, 1e-9 * arm * impulse);
+    EXPECT_NEAR(change.sum.rate.d[2], sign * arm * k * w, 1e-9 * arm * k * w);
   }
   events.forget_changes(0);
   EXPECT_TRUE(changes(events, 0).empty());
@@ -121,15 +121,15 @@ TEST(PlanarEvents, TheArmOfABodyThatSpinsTurns) {
     const double lever[2] = {arm, -side * r};
     const double lever_rate[2] = {-side * r * slip / distance,
                                   (part == 0 ? spin * arm : 0.0) - side * vn / 2};
-    const PlanarTorqueChange torque = only_change(events, part).sum.torque;
+    const PlanarChangeSums sum = only_change(events, part).sum;
     const auto expect = [&](double value, double expected) {
       EXPECT_NEAR(value, side * expected, 1e-12 * std::fabs(expected));
     };
-    expect(torque.now[0], product(lever, change.now));
-    expect(torque.rate[0], product(lever, change.rate) + product(lever_rate, change.now));
-    expect(torque.impulse[0],
+    expect(sum.now.d[2], product(lever, change.now));
+    expect(sum.rate.d[2], product(lever, change.rate) + product(lever_rate, change.now));
+    expect(sum.impulse.d[2],
            product(lever, change.impulse) - product(lever_rate, change.impulse_integral));
-    expect(torque.impulse_integral[0], product(lever, change.impulse_integral));
+    expect(sum.impulse_integral.d[2], product(lever, change.impulse_integral));
   }
 }
 
@@ -145,10 +145,10 @@ TEST(PlanarEvents, ChangesOfABodyAddUp) {
   const ChangedBody sum = only_change(events, 0);
   EXPECT_EQ(sum.body, 1);
   EXPECT_TRUE(sum.jumps);
-  EXPECT_DOUBLE_EQ(sum.sum.force.now[0], 4);
-  EXPECT_DOUBLE_EQ(sum.sum.force.impulse[1], 6e-6);
+  EXPECT_DOUBLE_EQ(sum.sum.now.d[0], 4);
+  EXPECT_DOUBLE_EQ(sum.sum.impulse.d[1], 6e-6);
   // lever (0, -(R - delta/2)) x (4, 6) = (R - delta/2) 4
-  EXPECT_NEAR(sum.sum.torque.now[0], 4 * 0.95 * radius, 1e-15);
+  EXPECT_NEAR(sum.sum.now.d[2], 4 * 0.95 * radius, 1e-15);
   EXPECT_TRUE(changes(events, 1).empty());
 }
 

@@ -132,9 +132,10 @@ class Network {
   }
 
   /// Bound of the largest eigenvalue of the form sum k g g^T with these `constants` of each contact
-  /// (>= 0). `stiffest`, if given: the body of the largest eigenvalue in the first round.
+  /// (>= 0), no closer than it takes to be at most `enough`. `stiffest`, if given: the body of the
+  /// largest eigenvalue in the first round.
   template <class ConstantsOf>
-  double bound(ConstantsOf constants, int* stiffest = nullptr) const {
+  double bound(ConstantsOf constants, double enough, int* stiffest = nullptr) const {
     std::vector<double> weights;
     for (const NetworkBody& body : bodies_) weights.push_back(1.0 / body.mass);
     const int rounds = 5;
@@ -144,7 +145,7 @@ class Network {
       const auto top = std::max_element(held.begin(), held.end());
       if (round == 0 && stiffest) *stiffest = static_cast<int>(top - held.begin());
       best = round == 0 ? *top : std::min(best, *top);
-      if (!(*top > 0.0)) break;
+      if (best <= enough) break;
       // As in the power method for the matrix of the blocks' norms: bodies held stiffly weigh more,
       // which leaves them a smaller part of their contacts. The floor keeps s moderate.
       for (std::size_t b = 0; b < weights.size(); ++b) weights[b] *= std::max(0.05, held[b] / *top);
@@ -208,12 +209,14 @@ NetworkLimit limit_of(int order, const std::vector<NetworkBody>& bodies,
       [](const NetworkContact& c) {
         return Constants{c.stiffness_n, c.stiffness_t, c.stiffness_r};
       },
-      &result.stiffest);
+      0.0, &result.stiffest);
   if (!(motions.stiffness > 0.0)) return result;  // nothing can move
-  motions.damping = network.bound([](const NetworkContact& c) {
-    return Constants{c.damping_n, c.stiffness_t > 0.0 ? c.damping_t : 0.0,
-                     c.stiffness_r > 0.0 ? c.damping_r : 0.0};
-  });
+  motions.damping = network.bound(
+      [](const NetworkContact& c) {
+        return Constants{c.damping_n, c.stiffness_t > 0.0 ? c.damping_t : 0.0,
+                         c.stiffness_r > 0.0 ? c.damping_r : 0.0};
+      },
+      0.0);
   result.stiffness = motions.stiffness;
   result.damping = motions.damping;
   result.contacts = network.contacts_of(result.stiffest);
@@ -226,13 +229,14 @@ NetworkLimit limit_of(int order, const std::vector<NetworkBody>& bodies,
   // R; the second holds for steps up to `open`, whose corner has the largest c.
   const auto fast_decay_is_stable = [&](double dt) {
     const double rate = real_axis_limit(order) / dt;
-    return network.bound([rate](const NetworkContact& c) {
-      const auto rest = [rate](double damping, double stiffness) {
-        return stiffness > 0.0 ? std::max(0.0, damping - stiffness / rate) : 0.0;
-      };
+    const auto rest = [rate](double damping, double stiffness) {
+      return stiffness > 0.0 ? std::max(0.0, damping - stiffness / rate) : 0.0;
+    };
+    const auto fast = [&rest](const NetworkContact& c) {
       return Constants{rest(c.damping_n, c.stiffness_n), rest(c.damping_t, c.stiffness_t),
                        rest(c.damping_r, c.stiffness_r)};
-    }) <= rate;
+    };
+    return network.bound(fast, rate) <= rate;
   };
   if (open > 1.001 * safe && fast_decay_is_stable(open)) safe = open;
   for (int k = 0; k < 6 && open > 1.01 * safe; ++k) {

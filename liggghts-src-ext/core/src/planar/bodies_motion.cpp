@@ -5,9 +5,33 @@
 
 #include "bodies.h"
 #include "events.h"
+#include "vector_operators.h"
 #include "../planar_lists/neighbours.h"
 
 namespace rodpack {
+
+namespace {
+
+/// What changes of the forces on a body do to its motion: accelerations, velocities and
+/// displacements in the place of forces and their impulses (PlanarCorrection).
+ChangeMoments<PlanarVector> motion_change(const PlanarChangeSums& of_forces, double answer,
+                                          const PlanarVector& inertia) {
+  const PlanarVector share = answer * inertia;
+  return {share * of_forces.now, share * of_forces.rate, share * of_forces.impulse,
+          share * of_forces.impulse_integral};
+}
+
+PlanarJump jump_of(const ChangeMoments<PlanarVector>& change, const PlanarKinematics& now) {
+  PlanarJump jump = PlanarJump();
+  std::copy_n(change.now.d, 3, jump.acceleration);
+  std::copy_n(change.impulse.d, 3, jump.velocity);
+  std::copy_n(change.impulse_integral.d, 3, jump.displacement);
+  jump.cosine = now.cosine;
+  jump.sine = now.sine;
+  return jump;
+}
+
+}  // namespace
 
 void PlanarBodyStates::make_missed_motion(int body) {
   PlanarKinematics& kinematics = kinematics_[body];
@@ -108,35 +132,25 @@ void PlanarBodyStates::begin_loads() {
 void PlanarBodyStates::apply_events(int part, long step, PlanarEvents& events) {
   events.forget_jumps(part);
   // The records of each step of the past, newest first.
+  const int records = settings_.order - 1;
   PlanarVector *velocities[max_multistep_order], *accelerations[max_multistep_order];
-  for (int k = 0; k < settings_.order - 1; ++k) {
+  for (int k = 0; k < records; ++k) {
     velocities[k] = past_velocity_[past(k, step)].data();
     accelerations[k] = past_acceleration_[past(k, step)].data();
   }
   events.each_changed(part, [&](int b, bool jumps) {
     if (b >= owned()) return;  // its own rank sees all of its contacts
-    typedef KnownInverse<double> Inverse;
-    const double share = answer(b);
-    const PlanarCorrection<Inverse> correction = {Inverse{share * inertia_[b].d[0]},
-                                                  Inverse{share * inertia_[b].d[2]}};
-    const PlanarBodyChange change = events.change(b);
-    PlanarJump jump = correction.missed(change);
-    jump.cosine = kinematics_[b].cosine;
-    jump.sine = kinematics_[b].sine;
-    std::copy(jump.velocity, jump.velocity + 3, missed_velocity_[b].d);
-    std::copy(jump.displacement, jump.displacement + 3, missed_displacement_[b].d);
+    const ChangeMoments<PlanarVector> of_motion =
+        motion_change(events.changes(b), answer(b), inertia_[b]);
+    missed_velocity_[b] = of_motion.impulse;
+    missed_displacement_[b] = of_motion.impulse_integral;
     missed_[part].push_back(b);
-    if (jumps) events.set_jumped(b, jump);
+    if (jumps) events.set_jumped(b, jump_of(of_motion, kinematics_[b]));
     if (evaluations_[b] == 0) return;  // no past yet
-    for (int k = 0; k < settings_.order - 1; ++k) {
-      const PlanarRates gain = correction.past(change, (k + 1) * settings_.dt);
-      double *const velocity = velocities[k][b].d, *const acceleration = accelerations[k][b].d;
-      for (int d = 0; d < 2; ++d) {
-        velocity[d] += gain.velocity[d];
-        acceleration[d] += gain.acceleration[d];
-      }
-      velocity[2] += gain.angular_velocity;
-      acceleration[2] += gain.angular_acceleration;
+    for (int k = 0; k < records; ++k) {
+      const double age = (k + 1) * settings_.dt;
+      velocities[k][b] = velocities[k][b] + past_momentum(of_motion, age);
+      accelerations[k][b] = accelerations[k][b] + past_force(of_motion, age);
     }
   });
   events.forget_changes(part);

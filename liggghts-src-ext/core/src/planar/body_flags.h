@@ -47,7 +47,12 @@ class PlanarBodyFlags {
     const int word = static_cast<int>(sizeof(std::uint64_t));
     for (std::uint64_t several; body + word <= end; body += word) {
       std::memcpy(&several, &flags_[body], sizeof several);
-      if (several != 0) break;
+      if (several == 0) continue;
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+      return body + __builtin_ctzll(several) / 8;
+#else
+      break;
+#endif
     }
     while (body < end && flags_[body] == 0) ++body;
     return body;

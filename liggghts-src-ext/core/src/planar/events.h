@@ -78,19 +78,7 @@ class PlanarEvents {
     changed_.each(part, [&](int body) { visit(body, (changed_[body] & planar_jumps) != 0); });
   }
   /// The changes of the forces of the contacts of a body, summed up.
-  PlanarBodyChange change(int body) const {
-    const PlanarChangeSums& sums = sums_[body];
-    PlanarBodyChange change;
-    for (int d = 0; d < 3; ++d) {
-      const ChangeMoments<double> moments = {sums.now.d[d], sums.rate.d[d], sums.impulse.d[d],
-                                             sums.impulse_integral.d[d]};
-      if (d < 2)
-        change.force.set(d, moments);
-      else
-        change.torque.set(0, moments);
-    }
-    return change;
-  }
+  const PlanarChangeSums& changes(int body) const { return sums_[body]; }
   void forget_changes(int part) {
     changed_.clear(part, [&](int body) {
       PlanarChangeSums& of = sums_[body];

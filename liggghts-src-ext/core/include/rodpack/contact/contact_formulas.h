@@ -224,6 +224,18 @@ struct ChangeMoments {
   Value now, rate, impulse, impulse_integral;
 };
 
+/// What the record of a force gains that was made `age` seconds ago, for the records to continue
+/// the new branch of the force backwards.
+template <class Value>
+inline Value past_force(const ChangeMoments<Value>& change, double age) {
+  return change.now - age * change.rate;
+}
+/// The same of the record of the momentum.
+template <class Value>
+inline Value past_momentum(const ChangeMoments<Value>& change, double age) {
+  return change.impulse - age * change.now + 0.5 * age * age * change.rate;
+}
+
 /// -coefficient times a velocity that has changed, where `acceleration`, `velocity` and
 /// `displacement` are the changes of an event in the last step as seen at its end, and a step of
 /// length `dt` has passed since: the dashpot of a contact whose bodies had an event.

@@ -98,10 +98,9 @@ static_assert(offsetof(SpatialJump, acceleration) == 0 && offsetof(SpatialJump, 
                   offsetof(SpatialJump, rotation) == 120 && sizeof(SpatialJump) == 144,
               "jumps are stored for each sphere, in restart files too, as plain doubles");
 
-/// The correction of a body in planar motion. `Divisor` is double or KnownInverse<double>.
-template <class Divisor>
+/// The correction of a body in planar motion.
 struct PlanarCorrection {
-  Divisor mass, moment;  // kg; kg m^2 about z
+  double mass, moment;  // kg; kg m^2 about z
 
   /// What the motion of the last step has missed: displacement and velocity are still to be added
   /// to those of the body, whose orientation is to be set.

@@ -51,6 +51,9 @@ struct ChangeOf {
     return *this;
   }
 
+  ChangeMoments<double> component(int d) const {
+    return {now[d], rate[d], impulse[d], impulse_integral[d]};
+  }
   /// Sets a component.
   void set(int d, const ChangeMoments<double>& moments) {
     now[d] = moments.now;
@@ -59,11 +62,10 @@ struct ChangeOf {
     impulse_integral[d] = moments.impulse_integral;
   }
 
-  /// What the record of the force gains that was made `age` seconds ago (component d).
-  double past_force(int d, double age) const { return now[d] - age * rate[d]; }
-  /// What the record of the momentum gains that was made `age` seconds ago (component d).
+  /// past_force() and past_momentum() of component d.
+  double past_force(int d, double age) const { return rodpack::past_force(component(d), age); }
   double past_momentum(int d, double age) const {
-    return impulse[d] - age * now[d] + 0.5 * age * age * rate[d];
+    return rodpack::past_momentum(component(d), age);
   }
 };
 
