@@ -25,6 +25,7 @@ namespace {
 namespace one_register {
 #include "lanes_avx512.h"
 #include "kernel.h"
+#include "kernel_walls.h"
 #include "bundles_avx512.h"
 #include "kernel_motion.h"
 }  // namespace one_register
@@ -46,12 +47,10 @@ using namespace one_register;
 #pragma GCC pop_options
 #endif
 
-/// Contacts with walls are few: AVX2's loop does.
 PlanarKernel planar_kernel_avx512(bool total_force_cap) {
-  PlanarKernel kernel = planar_kernel_avx2(total_force_cap);
-  kernel.advance = advance;
-  kernel.pairs = total_force_cap ? evaluate_pairs<true> : evaluate_pairs<false>;
-  return kernel;
+  return total_force_cap
+             ? PlanarKernel{evaluate_pairs<true>, evaluate_walls<WholeLoad>, advance}
+             : PlanarKernel{evaluate_pairs<false>, evaluate_walls<ElasticLoad>, advance};
 }
 
 }  // namespace rodpack
