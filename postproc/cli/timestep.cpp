@@ -5,6 +5,8 @@
 #include <map>
 #include <memory>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "campaigns/accuracy/accuracy.h"
 #include "cli/checks.h"
@@ -67,9 +69,12 @@ void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem
       columns[1].push_back(at.error);
     }
     data += datablock(name, columns);
+    // In the colour of the same scheme without.
+    const bool relaxes = each.integrator.relaxation_steps > 0;
     plot << (plots++ == 0 ? "plot $" : ", $") << name << " with lines linewidth 2 linecolor rgb '"
-         << accuracy_colour(name) << "'" << (name == "builtin" ? " dashtype 2" : "") << " title '"
-         << name << "'";
+         << accuracy_colour(relaxes ? "leapfrog" : name) << "'"
+         << (name == "builtin" ? " dashtype 2" : relaxes ? " dashtype 3" : "") << " title '" << name
+         << "'";
   }
   write_text(stem + ".csv", table.str());
   draw_figure(stem, 1.4,
@@ -80,27 +85,51 @@ void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem
                   plot.str() + "\n");
 }
 
+/// What the limit of stability depends on: the order, and what dashpots count.
+typedef std::pair<int, double> Method;
+Method method_of(const Integrator& integrator) {
+  return {integrator.order, integrator.dashpot_share()};
+}
+
+/// The limits of all contacts of a bed for each of integrators().
+std::map<Method, NetworkLimit> limits_of_bed(const RunNetwork& network) {
+  std::map<Method, NetworkLimit> limits;
+  for (const Integrator& integrator : integrators()) {
+    const Method method = method_of(integrator);
+    if (limits.count(method) > 0) continue;
+    std::vector<NetworkContact> contacts = network.contacts;
+    for (NetworkContact& contact : contacts) {
+      contact.damping_n *= method.second;
+      contact.damping_t *= method.second;
+    }
+    limits[method] = network_limit(method.first, network.bodies, contacts);
+  }
+  return limits;
+}
+
 void advise_on(const TimestepArguments& arguments) {
   Collision collision = arguments.collision;
-  std::function<double(int)> limit_of;
-  std::map<int, NetworkLimit> of_bed;  // by the order of the integrator
+  int on_one_line = arguments.contacts;
+  std::map<Method, NetworkLimit> of_bed;
   if (!arguments.run.empty()) {
     const RunNetwork network = read_network(arguments.run);
     collision = {network.stiffness, network.damping_ratio, network.lightest};
-    for (const Integrator& integrator : integrators())
-      if (of_bed.count(integrator.order) == 0)
-        of_bed[integrator.order] =
-            network_limit(integrator.order, network.bodies, network.contacts);
+    on_one_line = 1;
+    of_bed = limits_of_bed(network);
     std::cout << arguments.run << ": " << network.bodies.size() << " particles, "
               << network.contacts.size() << " contacts, " << of_bed.begin()->second.contacts
               << " of the stiffest particle; time step " << short_number(network.timestep)
               << " s\n";
-    limit_of = [&](int order) {
-      return std::min(limit_of_contacts(order, collision, 1), of_bed.at(order).timestep);
-    };
-  } else {
-    limit_of = [&](int order) { return limit_of_contacts(order, collision, arguments.contacts); };
+    if (network.mass_scaling > 0)
+      std::cout << "its mass scaling of " << short_number(network.mass_scaling)
+                << " is left out: limits are those of the particles' own inertia\n";
   }
+  const auto limit_of = [&](const Integrator& integrator) {
+    const double of_line = limit_of_contacts(integrator.order, collision, on_one_line,
+                                             integrator.dashpot_share());
+    const auto of_run = of_bed.find(method_of(integrator));
+    return of_run == of_bed.end() ? of_line : std::min(of_line, of_run->second.timestep);
+  };
   std::cout << "k_n = " << short_number(collision.stiffness)
             << " N/m, eta = " << short_number(collision.damping_ratio)
             << ", m = " << short_number(collision.mass) << " kg: a collision lasts "
@@ -112,9 +141,14 @@ void advise_on(const TimestepArguments& arguments) {
   const auto all = advise(collision, arguments.error, limit_of);
   const TimestepAdvice* const best = cheapest(all);
   print_table(all, best, arguments.error);
-  if (best)
-    std::cout << "in a deck: timestep " << short_number(best->timestep)
-              << "\n           fix ID all " << best->integrator.fix << '\n';
+  if (best) {
+    const std::string step = short_number(best->timestep);
+    std::cout << "in a deck: timestep " << step << "\n           fix ID all "
+              << best->integrator.fix << '\n';
+    if (best->integrator.relaxation_steps > 0)
+      std::cout << "           fix ID all property/global dashpotRelaxation scalar "
+                << short_number(best->integrator.relaxation_steps * best->timestep) << '\n';
+  }
   if (!arguments.stem.empty()) {
     write_chart(all, arguments.stem);
     std::cout << "written: " << arguments.stem << ".csv .png .svg\n";

@@ -34,19 +34,20 @@ double Collision::largest_overlap(double speed) const {
   return speed * std::sqrt(mass / stiffness) * std::exp(-loss);
 }
 
-double limit_of_contacts(int order, const Collision& collision, int contacts) {
+double limit_of_contacts(int order, const Collision& collision, int contacts,
+                         double dashpot_share) {
   const double grown = std::sqrt(static_cast<double>(contacts));
-  return stability_limit(order, grown * collision.damping_ratio) * collision.duration() /
-         (pi * grown);
+  return stability_limit(order, grown * dashpot_share * collision.damping_ratio) *
+         collision.duration() / (pi * grown);
 }
 
 std::vector<TimestepAdvice> advise(const Collision& collision, double error,
-                                   const std::function<double(int)>& limit_of) {
+                                   const std::function<double(const Integrator&)>& limit_of) {
   std::vector<TimestepAdvice> all;
   for (const Integrator& integrator : integrators()) {
     TimestepAdvice advice;
     advice.integrator = integrator;
-    advice.limit = limit_of(integrator.order);
+    advice.limit = limit_of(integrator);
     advice.chart = error_chart(integrator, collision.damping_ratio);
     // From the finest step down, so that no chance crossing at coarse steps counts.
     for (auto at = advice.chart.rbegin(); at != advice.chart.rend() && at->error <= error; ++at)

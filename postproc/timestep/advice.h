@@ -26,8 +26,9 @@ struct Collision {
 /// Largest stable time step of a body on so many such contacts with walls or heavy bodies, all
 /// along one line, for an integrator of this order, s; with its equals, which give way, it is as
 /// small. Their stiffnesses add up, and so do their dashpots: omega grows by sqrt(N) and the
-/// damping ratio, too.
-double limit_of_contacts(int order, const Collision& collision, int contacts);
+/// damping ratio, too. `dashpot_share`: Integrator::dashpot_share().
+double limit_of_contacts(int order, const Collision& collision, int contacts,
+                         double dashpot_share = 1);
 
 /// One point of the chart of error against cost.
 struct ErrorAtStep {
@@ -53,9 +54,9 @@ constexpr double stability_margin = 0.8;
 constexpr double most_steps = 3000;
 
 /// What each of integrators() needs for the error (of the rebound speed, > 0) and a stability limit
-/// (s) that `limit_of`(order) returns. Those that cannot reach the error keep no `timestep`.
+/// (s) that `limit_of` returns for it. Those that cannot reach the error keep no `timestep`.
 std::vector<TimestepAdvice> advise(const Collision& collision, double error,
-                                   const std::function<double(int)>& limit_of);
+                                   const std::function<double(const Integrator&)>& limit_of);
 
 /// The one of the longest time step, and of equal ones the first; null if none reaches the error.
 const TimestepAdvice* cheapest(const std::vector<TimestepAdvice>& all);

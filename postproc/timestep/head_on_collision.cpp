@@ -8,6 +8,7 @@
 
 #include "rodpack/contact/contact_law.h"
 #include "rodpack/contact/contact_motion.h"
+#include "rodpack/contact/dashpot_relaxation.h"
 #include "rodpack/contact/friction_cap.h"
 #include "rodpack/contact/normal_history.h"
 #include "rodpack/motion/multistep.h"
@@ -41,17 +42,22 @@ struct Flight {
   double gap, velocity;
 };
 
-double force_at(const Flight& flight, double damping) {
-  return flight.gap < 0 ? normal_force(1, damping, -flight.gap, flight.velocity).total : 0;
+/// `felt`: the velocity that the dashpot feels.
+double force_at(double gap, double felt, double damping) {
+  return gap < 0 ? normal_force(1, damping, -gap, felt).total : 0;
 }
 
-/// Velocity Verlet as LIGGGHTS has it: the force sees the velocity of half a step before.
-double rebound_with_verlet(Flight flight, double damping, double dt, long steps) {
-  double force = 0;
+/// Velocity Verlet as LIGGGHTS has it: the force sees the velocity of half a step before. The
+/// dashpot keeps the share `kept` of what it felt a step ago.
+double rebound_with_verlet(Flight flight, double damping, double kept, double dt, long steps) {
+  double force = 0, felt = 0;
+  bool touching = false;
   for (long i = 0; i < steps; ++i) {
     flight.velocity += 0.5 * dt * force;
     flight.gap += dt * flight.velocity;
-    force = force_at(flight, damping);
+    felt = touching ? relaxed_velocity(felt, flight.velocity, kept) : flight.velocity;
+    touching = flight.gap < 0;
+    force = force_at(flight.gap, felt, damping);
     flight.velocity += 0.5 * dt * force;
   }
   return flight.velocity;
@@ -96,7 +102,7 @@ double rebound_with_adams_bashforth(int order, bool follows, Flight flight, doub
       touching = flight.gap < 0;
     }
     std::rotate(rates.rbegin(), rates.rbegin() + 1, rates.rend());
-    rates[0] = {flight.velocity, force_at(flight, damping)};
+    rates[0] = {flight.velocity, force_at(flight.gap, flight.velocity, damping)};
     last = events;
   }
   return flight.velocity + (last.any ? last.sum.impulse[0] : 0);
@@ -107,6 +113,8 @@ double rebound_with_adams_bashforth(int order, bool follows, Flight flight, doub
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> all = {
       {"builtin", "multisphere", 0, false},
+      {"leapfrog", "multisphere/ab order 0", 0, false},
+      {"relaxed", "multisphere/ab order 0", 0, false, 1},
       {"ab1", "multisphere/ab order 1 events no", 1, false},
       {"ab2", "multisphere/ab order 2 events no", 2, false},
       {"ab2e", "multisphere/ab order 2 events yes", 2, true},
@@ -116,17 +124,20 @@ const std::vector<Integrator>& integrators() {
   return all;
 }
 
+double Integrator::dashpot_share() const { return share_in_fastest_motion(relaxation_steps, 1); }
+
 double rebound_error(const Integrator& integrator, double damping_ratio,
                      double steps_per_collision) {
   const double dt = std::acos(-1.0) / steps_per_collision, damping = 2 * damping_ratio;
   const double expected = restitution_coefficient(damping_ratio);
+  const double kept = kept_in_step(integrator.relaxation_steps, 1);
   // The longest contact lasts 2 acos(eta) / sqrt(1 - eta^2) <= pi, critically damped 2.
   const long steps = static_cast<long>(std::ceil(1.3 * steps_per_collision)) + 8;
   double sum = 0;
   for (int m = 0; m < moments; ++m) {
     const Flight start = {(m + 0.5) / moments * dt, -1};
     const double rebound = integrator.order == 0
-                               ? rebound_with_verlet(start, damping, dt, steps)
+                               ? rebound_with_verlet(start, damping, kept, dt, steps)
                                : rebound_with_adams_bashforth(integrator.order, integrator.events,
                                                               start, damping, dt, steps);
     sum += (rebound / expected - 1) * (rebound / expected - 1);

@@ -9,13 +9,18 @@ namespace rodpack {
 
 /// An integrator that a deck can name.
 struct Integrator {
-  std::string name;  // as in `rodpack accuracy`
+  std::string name;  // as in `rodpack accuracy`, but for "relaxed"
   std::string fix;   // style and arguments of the fix
-  int order;         // 1 to 4; 0: velocity Verlet as LIGGGHTS has it
+  int order;         // 1 to 4; 0: velocity Verlet as LIGGGHTS has it, and leapfrog
   bool events;       // whether it follows the events of contacts
+  double relaxation_steps = 0;  // relaxation time of the dashpots over the step; 0: none
+
+  /// What a dashpot counts in the limit of stability, over its constant (dashpot_relaxation.h).
+  double dashpot_share() const;
 };
-/// Those to choose from: velocity Verlet of fix multisphere, multisphere/ab of orders 1 to 3
-/// without events, of orders 2 to 4 with them.
+/// Those to choose from: velocity Verlet of fix multisphere, leapfrog, which is the same but for
+/// the numbers that it shows, "relaxed", which is leapfrog with dashpots that relax in one step,
+/// multisphere/ab of orders 1 to 3 without events, of orders 2 to 4 with them.
 const std::vector<Integrator>& integrators();
 
 /// Error of the rebound speed of a head-on collision under the contact law of Lu et al. (2016) with

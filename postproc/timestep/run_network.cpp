@@ -69,6 +69,8 @@ RunNetwork read_network(const std::string& run) {
   network.stiffness = parameters.number("normal_stiffness_N_m");
   network.damping_ratio = parameters.number("damping_ratio_normal");
   network.timestep = parameters.number("timestep_s");
+  if (parameters.values.contains("mass_scaling"))
+    network.mass_scaling = parameters.number("mass_scaling");
   const double gyration = squared_gyration_radius(parameters);
   const auto &ids = frame.column("id"), &mass = frame.column("mass");
   if (frame.rows == 0) throw DataError(frame.file + ": no particle in the last frame");

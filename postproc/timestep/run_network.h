@@ -15,6 +15,7 @@ struct RunNetwork {
   double stiffness = 0;      // k_n of a particle, N/m; two in contact have half of it
   double damping_ratio = 0;  // along the normal
   double timestep = 0;       // of the run, s
+  double mass_scaling = 0;   // of the run, 0: none; not in the inertia of the bodies below
   double lightest = 0;       // mass of the lightest particle, kg
   std::vector<NetworkBody> bodies;
   std::vector<NetworkContact> contacts;

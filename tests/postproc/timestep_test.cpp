@@ -11,6 +11,7 @@
 #include "campaigns/accuracy/accuracy.h"
 #include "liggghts_run.h"
 #include "reading/data_error.h"
+#include "rodpack/contact/contact_law.h"
 #include "rodpack/motion/stability_limit.h"
 #include "synthetic_packing.h"
 #include "timestep/run_network.h"
@@ -39,7 +40,8 @@ double order(const std::string& name, double damping_ratio, int steps) {
 
 TEST(HeadOnCollision, IntegratorsAreThoseOfTheAccuracyCampaign) {
   for (const Integrator& each : integrators())
-    EXPECT_EQ(accuracy_method(each.name).integrator, each.fix);
+    EXPECT_EQ(accuracy_method(each.relaxation_steps > 0 ? "leapfrog" : each.name).integrator,
+              each.fix);
 }
 
 // theory.md, section 4: without its event the dashpot's jump at touch, 2 eta m omega v, acts as if
@@ -60,6 +62,24 @@ TEST(HeadOnCollision, OrdersAreThoseOfTheTheory) {
   for (const double eta : {0.0, 0.1, 0.2, 0.4}) EXPECT_NEAR(order("ab3e", eta, 100), 3, 0.1) << eta;
   EXPECT_NEAR(order("ab2e", 0.2, 100), 2, 0.1);
   EXPECT_GT(order("ab4e", 0.2, 50), 3);
+}
+
+// Leapfrog makes the same steps as velocity Verlet; a dashpot that relaxes within a step errs in
+// proportion to it as well.
+TEST(HeadOnCollision, LeapfrogIsVelocityVerletAndRelaxationErrsByTheStep) {
+  for (const double steps : {20.37, 100.37})
+    EXPECT_EQ(rebound_error(named("leapfrog"), 0.2, steps),
+              rebound_error(named("builtin"), 0.2, steps));
+  EXPECT_NEAR(order("relaxed", 0.2, 100), 1, 0.1);
+}
+
+// A dashpot that never forgets the closing speed pushes with a constant force, and takes no energy:
+// the rebound speed is the closing speed.
+TEST(HeadOnCollision, ADashpotThatNeverRelaxesTakesNothing) {
+  Integrator integrator = named("relaxed");
+  integrator.relaxation_steps = 1e12;
+  const double e = restitution_coefficient(0.2);
+  EXPECT_NEAR(rebound_error(integrator, 0.2, 1000.37), 1 / e - 1, 0.01);
 }
 
 // A collision at 3 steps per contact is beyond the limit of order 4, 0.43 / omega: 7.3 steps.
@@ -100,11 +120,23 @@ TEST(Advice, LimitFallsWithTheContacts) {
   EXPECT_NEAR(limit_of_contacts(3, collision, 1) / limit_of_contacts(3, collision, 9), 3.4, 0.05);
 }
 
+// Of a dashpot that relaxes in one step the fastest motion feels tanh(1/2).
+TEST(Advice, RelaxationRaisesTheLimit) {
+  const Collision collision{2000, 0.2, 1e-4};
+  const double omega = std::sqrt(2000 / 1e-4), eta = 0.2 * 6 * std::tanh(0.5);  // of 36 contacts
+  const Integrator& relaxed = named("relaxed");
+  EXPECT_NEAR(limit_of_contacts(relaxed.order, collision, 36, relaxed.dashpot_share()),
+              2 * (std::sqrt(1 + eta * eta) - eta) / (6 * omega), 1e-12);
+  EXPECT_EQ(named("leapfrog").dashpot_share(), 1);
+}
+
 TEST(Advice, StepsKeepTheErrorAndTheMargin) {
   const Collision collision{2000, 0.2, 1e-4};
   for (const double error : {1e-2, 1e-3, 1e-4})
     for (const int contacts : {1, 30}) {
-      const auto limit = [&](int p) { return limit_of_contacts(p, collision, contacts); };
+      const auto limit = [&](const Integrator& of) {
+        return limit_of_contacts(of.order, collision, contacts, of.dashpot_share());
+      };
       const auto all = advise(collision, error, limit);
       ASSERT_EQ(all.size(), integrators().size());
       const TimestepAdvice* const best = cheapest(all);
@@ -127,8 +159,9 @@ TEST(Advice, StepsKeepTheErrorAndTheMargin) {
 // Without events the error is 2 eta pi / (sqrt(12) N), 1.2e-4 with 3000 steps.
 TEST(Advice, WhatCannotReachTheErrorHasNoStep) {
   const Collision collision{2000, 0.2, 1e-4};
-  const auto all =
-      advise(collision, 1e-5, [&](int p) { return limit_of_contacts(p, collision, 1); });
+  const auto all = advise(collision, 1e-5, [&](const Integrator& of) {
+    return limit_of_contacts(of.order, collision, 1, of.dashpot_share());
+  });
   for (const TimestepAdvice& each : all)
     EXPECT_EQ(each.timestep > 0, each.integrator.events) << each.integrator.name;
   EXPECT_EQ(cheapest({}), nullptr);
