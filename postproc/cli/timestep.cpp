@@ -79,7 +79,7 @@ void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem
   write_text(stem + ".csv", table.str());
   draw_figure(stem, 1.4,
               data +
-                  "set logscale xy\nset format y '10^{%T}'\nset grid\n"
+                  "set logscale xy\nset format y '10^{%T}'\nset grid\nset key bottom left\n"
                   "set xlabel 'steps per collision'\n"
                   "set ylabel 'error of the rebound speed'\n" +
                   plot.str() + "\n");

@@ -112,8 +112,8 @@ double rebound_with_adams_bashforth(int order, bool follows, Flight flight, doub
 
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> all = {
-      {"builtin", "multisphere", 0, false},
       {"leapfrog", "multisphere/ab order 0", 0, false},
+      {"builtin", "multisphere", 0, false},
       {"relaxed", "multisphere/ab order 0", 0, false, 1},
       {"ab1", "multisphere/ab order 1 events no", 1, false},
       {"ab2", "multisphere/ab order 2 events no", 2, false},

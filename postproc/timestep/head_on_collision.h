@@ -18,9 +18,9 @@ struct Integrator {
   /// What a dashpot counts in the limit of stability, over its constant (dashpot_relaxation.h).
   double dashpot_share() const;
 };
-/// Those to choose from: velocity Verlet of fix multisphere, leapfrog, which is the same but for
-/// the numbers that it shows, "relaxed", which is leapfrog with dashpots that relax in one step,
-/// multisphere/ab of orders 1 to 3 without events, of orders 2 to 4 with them.
+/// Those to choose from: leapfrog; velocity Verlet of fix multisphere, which makes the same steps;
+/// "relaxed", which is leapfrog with dashpots that relax in one step; multisphere/ab of orders 1 to
+/// 3 without events, of orders 2 to 4 with them.
 const std::vector<Integrator>& integrators();
 
 /// Error of the rebound speed of a head-on collision under the contact law of Lu et al. (2016) with
