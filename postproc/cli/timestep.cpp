@@ -73,8 +73,10 @@ void write_chart(const std::vector<TimestepAdvice>& all, const std::string& stem
     const bool relaxes = each.integrator.relaxation_steps > 0;
     plot << (plots++ == 0 ? "plot $" : ", $") << name << " with lines linewidth 2 linecolor rgb '"
          << accuracy_colour(relaxes ? "leapfrog" : name) << "'"
-         << (name == "builtin" ? " dashtype 2" : relaxes ? " dashtype 3" : "") << " title '" << name
-         << "'";
+         << (name == "builtin" ? " dashtype 2"
+             : relaxes         ? " dashtype 3"
+                               : "")
+         << " title '" << name << "'";
   }
   write_text(stem + ".csv", table.str());
   draw_figure(stem, 1.4,
@@ -125,8 +127,8 @@ void advise_on(const TimestepArguments& arguments) {
                 << " is left out: limits are those of the particles' own inertia\n";
   }
   const auto limit_of = [&](const Integrator& integrator) {
-    const double of_line = limit_of_contacts(integrator.order, collision, on_one_line,
-                                             integrator.dashpot_share());
+    const double of_line =
+        limit_of_contacts(integrator.order, collision, on_one_line, integrator.dashpot_share());
     const auto of_run = of_bed.find(method_of(integrator));
     return of_run == of_bed.end() ? of_line : std::min(of_line, of_run->second.timestep);
   };

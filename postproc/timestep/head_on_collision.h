@@ -9,10 +9,10 @@ namespace rodpack {
 
 /// An integrator that a deck can name.
 struct Integrator {
-  std::string name;  // as in `rodpack accuracy`, but for "relaxed"
-  std::string fix;   // style and arguments of the fix
-  int order;         // 1 to 4; 0: velocity Verlet as LIGGGHTS has it, and leapfrog
-  bool events;       // whether it follows the events of contacts
+  std::string name;             // as in `rodpack accuracy`, but for "relaxed"
+  std::string fix;              // style and arguments of the fix
+  int order;                    // 1 to 4; 0: velocity Verlet as LIGGGHTS has it, and leapfrog
+  bool events;                  // whether it follows the events of contacts
   double relaxation_steps = 0;  // relaxation time of the dashpots over the step; 0: none
 
   /// What a dashpot counts in the limit of stability, over its constant (dashpot_relaxation.h).
