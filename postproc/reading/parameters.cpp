@@ -32,6 +32,7 @@ NumberRange parameter_range(const std::string& key) {
       {"damping_ratio_tangential", {0, 1}},
       {"overlap", {0, 0.9999}},
       {"curvature_deg", {0, 180}},
+      {"mass_scaling", {0, 1e9}},
       {"half_angle_deg", {0, 90, false, true}},
   };
   const auto found = known.find(key);

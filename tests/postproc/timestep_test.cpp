@@ -175,7 +175,8 @@ std::filesystem::path rod_on_floor(const std::string& name_of_contacts = "1") {
       "0, "
       "\"particle_diameter_m\": 0.003, \"density_kg_m3\": 2500, \"normal_stiffness_N_m\": 2000, "
       "\"tangential_stiffness_N_m\": 1000, \"damping_ratio_normal\": 0.2, "
-      "\"damping_ratio_tangential\": 0.2, \"friction\": 0, \"timestep_s\": 1.1e-05}\n");
+      "\"damping_ratio_tangential\": 0.2, \"friction\": 0, \"timestep_s\": 1.1e-05, "
+      "\"mass_scaling\": 0}\n");
   put(run / "dumps/bodies.000000000007.dump",
       test::frame_head(7, 1, 0.3, 0.3,
                        "id x y z vx vy vz mass nspheres angle half_length radius "
@@ -248,7 +249,8 @@ TEST(RunNetwork, ParametersOutOfRangeAreRefused) {
       {"\"damping_ratio_normal\": 0.2", "\"damping_ratio_normal\": 1e300"},
       {"\"damping_ratio_tangential\": 0.2", "\"damping_ratio_tangential\": -1"},
       {"\"overlap\": 0.5", "\"overlap\": 1"},
-      {"\"curvature_deg\": 0", "\"curvature_deg\": 400"}};
+      {"\"curvature_deg\": 0", "\"curvature_deg\": 400"},
+      {"\"mass_scaling\": 0", "\"mass_scaling\": -3"}};
   for (const auto& [right, changed] : wrong) {
     const auto run = rod_on_floor();
     std::string text = test::text_of(run / "parameters.json");
@@ -294,6 +296,26 @@ TEST(TimestepCommand, AdvisesForARunAndForNumbers) {
                   of_numbers.output.find("written") - of_numbers.output.find("method"))));
   for (const char* name : {"chart.csv", "chart.png", "chart.svg"})
     EXPECT_GT(std::filesystem::file_size(folder / name), 1000u) << name;
+}
+
+TEST(TimestepCommand, SaysThatMassScalingIsLeftOut) {
+  const auto run = rod_on_floor();
+  const auto said = [&] { return test::run_rodpack("timestep " + run.string(), run).output; };
+  const std::string without = said();
+  std::string text = test::text_of(run / "parameters.json");
+  put(run / "parameters.json", text.replace(text.find("ing\": 0"), 7, "ing\": 7"));
+  const std::string note =
+      "its mass scaling of 7 is left out: limits are those of the particles' own inertia\n";
+  std::string with = said();
+  ASSERT_THAT(with, HasSubstr(note));
+  EXPECT_EQ(with.erase(with.find(note), note.size()), without);
+}
+
+TEST(TimestepCommand, AdvisesDashpotsThatRelaxWhereTheyAllowTheLongestStep) {
+  const auto said =
+      test::run_rodpack("timestep " + rod_on_floor().string() + " --error 0.1", fresh_folder());
+  EXPECT_THAT(said.output, HasSubstr("fix ID all multisphere/ab order 0\n           fix ID all "
+                                     "property/global dashpotRelaxation scalar "));
 }
 
 TEST(TimestepCommand, WantsARunOrAllNumbers) {
