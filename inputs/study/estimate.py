@@ -51,9 +51,8 @@ def work_until(time, values):
 
     seconds_filling = present(min(time, landed)) if last > 0 else particles * min(time, landed)
     seconds_resting = particles * max(0.0, time - landed)
-    cost = seconds_filling * filling_ns(spheres) * (1 + OBSERVED / values["n_filling"])
-    cost += seconds_resting * resting_ns(spheres) * (1 + OBSERVED / values["n_observe"])
-    cost *= 1e-9 / values["timestep"]
+    cost = seconds_filling * filling_ns(spheres) + seconds_resting * resting_ns(spheres)
+    cost *= 1e-9 / values["timestep"] * (1 + OBSERVED / values["n_observe"])
     return cost * (SPHERES_ENGINE if values["engine"] == "spheres" else 1)
 
 
@@ -80,8 +79,7 @@ def disk(values, keep_restarts):
     peak = restart_bytes(values) * (files / 2 + 1)
     kept = {"none": 0.0, "end": restart_bytes(values), "all": peak}[keep_restarts]
     frames = 1 + values["t_rest"] / values["output_interval"]
-    resting = values["t_rest"] - values["t_landed"]
-    lines = (values["t_landed"] / values["n_filling"] + resting / values["n_observe"]) / values["timestep"]
+    lines = values["t_rest"] / values["timestep"] / values["n_observe"]
     dumps = frames * _bytes(DUMP_BYTES, values) + LINE_BYTES * lines
     return kept + dumps + _bytes(ANALYSIS_BYTES, values), peak
 

@@ -12,8 +12,7 @@ import estimate
 from folder import CHANGED, DONE, IRRELEVANT, is_analysed, read_json, write_if_other
 from jobs import cases_text
 
-TIMES = ("spheres_each", "particles", "timestep", "t_last", "t_landed", "t_rest", "n_filling", "n_observe",
-         "engine")
+TIMES = ("spheres_each", "particles", "timestep", "t_last", "t_landed", "t_rest", "n_observe", "engine")
 RUNTIME_MARGIN = 4  # minutes to ask of a cluster: times the estimate, and a quarter of an hour
 
 
