@@ -42,6 +42,11 @@ struct Flight {
   double gap, velocity;
 };
 
+/// What follow_velocity() asks for.
+struct ClosingContact {
+  double vn;
+};
+
 /// `felt`: the velocity that the dashpot feels.
 double force_at(double gap, double felt, double damping) {
   return gap < 0 ? normal_force(1, damping, -gap, felt).total : 0;
@@ -50,14 +55,15 @@ double force_at(double gap, double felt, double damping) {
 /// Velocity Verlet as LIGGGHTS has it: the force sees the velocity of half a step before. The
 /// dashpot keeps the share `kept` of what it felt a step ago.
 double rebound_with_verlet(Flight flight, double damping, double kept, double dt, long steps) {
-  double force = 0, felt = 0;
+  double force = 0;
+  NormalHistory history;
   bool touching = false;
   for (long i = 0; i < steps; ++i) {
     flight.velocity += 0.5 * dt * force;
     flight.gap += dt * flight.velocity;
-    felt = touching ? relaxed_velocity(felt, flight.velocity, kept) : flight.velocity;
+    const ClosingContact contact = {flight.velocity};
+    force = force_at(flight.gap, follow_velocity(contact, history, touching, kept), damping);
     touching = flight.gap < 0;
-    force = force_at(flight.gap, felt, damping);
     flight.velocity += 0.5 * dt * force;
   }
   return flight.velocity;

@@ -14,7 +14,7 @@
 
 namespace rodpack {
 
-// What the SIMD loops (kernel.h, kernel_bodies.h) are given. It is pointers alone: these loops are
+// What the SIMD loops (kernel.h, kernel_motion.h) are given. It is pointers alone: these loops are
 // compiled for one set of processor instructions each, and a member function or template that they
 // compiled with it could take the place of everybody's.
 
@@ -103,7 +103,7 @@ static_assert(offsetof(PlanarLawConstants, kn) == 0 && offsetof(PlanarLawConstan
 static_assert(offsetof(PlanarWallLine, along_x) == 0 && offsetof(PlanarWallLine, along_y) == 8 &&
                   offsetof(PlanarWallLine, position) == 16 &&
                   offsetof(PlanarWallLine, free_side) == 24,
-              "kernel_bodies.h reads walls as four doubles in this order");
+              "kernel_walls.h reads walls as four doubles in this order");
 static_assert(sizeof(PlanarVector) == planar_stride &&
                   sizeof(PlanarKinematics) == 2 * planar_stride,
               "kernel.h finds loads and kinematics by the distance of vectors");

@@ -18,7 +18,7 @@ static_assert(offsetof(PlanarKinematics, x) == 0 && offsetof(PlanarKinematics, y
                   offsetof(PlanarKinematics, sine) == 24 &&
                   offsetof(PlanarKinematics, velocity) == 32 &&
                   offsetof(PlanarKinematics, radius) == 56 && sizeof(PlanarKinematics) == 64,
-              "kernel.h and kernel_bodies.h read kinematics as eight doubles in this order");
+              "kernel.h and kernel_motion.h read kinematics as eight doubles in this order");
 
 }  // namespace rodpack
 

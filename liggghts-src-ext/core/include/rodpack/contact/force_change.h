@@ -51,10 +51,11 @@ struct ChangeOf {
     return *this;
   }
 
+  /// The moments of a component.
   ChangeMoments<double> component(int d) const {
     return {now[d], rate[d], impulse[d], impulse_integral[d]};
   }
-  /// Sets a component.
+  /// Sets those of a component.
   void set(int d, const ChangeMoments<double>& moments) {
     now[d] = moments.now;
     rate[d] = moments.rate;
