@@ -89,6 +89,13 @@ double largest_eigenvalue(const Form<Coordinates>& form) {
   const Eigen::SelfAdjointEigenSolver<Aligned> solver(Aligned(form), Eigen::EigenvaluesOnly);
   return std::max(0.0, solver.eigenvalues().maxCoeff());
 }
+/// In the plane from the characteristic polynomial, a fifth of the time.
+template <>
+double largest_eigenvalue<InPlane>(const Form<InPlane>& form) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(Eigen::Matrix3d(form), Eigen::EigenvaluesOnly);
+  return std::max(0.0, solver.eigenvalues().maxCoeff());
+}
 
 /// A contact's constants along the normal, in its plane and against rotation.
 struct Constants {

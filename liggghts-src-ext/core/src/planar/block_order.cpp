@@ -2,41 +2,48 @@
 // Where blocks lie: in the order of the parts of the bodies, so that forces follow the motion.
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 
 #include "blocks.h"
 #include "pipeline.h"
 
 namespace rodpack {
 
-namespace {
-
-// Sorting key of the first block that does not touch.
-const std::uint64_t apart = std::uint64_t{1} << 63;
-
-/// Puts touching blocks first, each kind in the order in which their bodies have both moved.
-std::uint64_t sorting_key(const PlanarBlockHead& head) {
-  const std::uint64_t later = std::max(head.i, head.j);
-  const std::uint32_t earlier = std::min(head.i, head.j);
-  return (head.alive != 0 ? 0 : apart) | later << 32 | earlier;
-}
-
-}  // namespace
-
+/// Puts touching blocks first, each kind in the order in which their bodies have both moved: by
+/// counting those of each body that is the later one, of which few share the same.
 void PlanarBlockPool::sort(const PlanarParts& parts) {
-  using Key = std::pair<std::uint64_t, int>;
-  std::vector<Key>& keys = work_.keys;
-  std::vector<int>& order = work_.order;  // the present place of the k-th block, -1 for a hole
-  keys.clear();
+  const int bodies = static_cast<int>(of_body_.size());
+  const auto kind_and_later = [bodies](const PlanarBlockHead& head) {
+    return (head.alive != 0 ? 0 : bodies) + std::max(head.i, head.j);
+  };
+  std::vector<SortedBlock>& blocks = work_.blocks;
+  std::vector<int>& ends = work_.ends;  // of each kind and later body
+  ends.assign(2 * bodies + 1, 0);
   for (int k = 0; k < size(); ++k) {
     const PlanarBlockHead of_block = head(k);
-    if (of_block.used != 0) keys.push_back({sorting_key(of_block), k});
+    if (of_block.used != 0) ++ends[kind_and_later(of_block) + 1];
   }
-  std::sort(keys.begin(), keys.end());
-  const auto others = std::lower_bound(keys.begin(), keys.end(), Key{apart, 0});
-  const int touching = whole_groups(static_cast<int>(others - keys.begin()));
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  blocks.resize(ends.back());
+  for (int k = 0; k < size(); ++k) {
+    const PlanarBlockHead of_block = head(k);
+    if (of_block.used == 0) continue;
+    const std::uint32_t earlier = std::min(of_block.i, of_block.j);
+    blocks[ends[kind_and_later(of_block)]++] = {earlier, k};
+  }
+  int begin = 0;
+  for (const int end : ends) {
+    std::sort(blocks.begin() + begin, blocks.begin() + end);
+    begin = end;
+  }
+  const auto others = blocks.begin() + (bodies > 0 ? ends[bodies - 1] : 0);
+  const int touching = whole_groups(static_cast<int>(others - blocks.begin()));
+  std::vector<int>& order = work_.order;  // the present place of the k-th block, -1 for a hole
   order.assign(touching, -1);
-  std::transform(keys.begin(), others, order.begin(), [](const Key& key) { return key.second; });
-  for (auto key = others; key != keys.end(); ++key) order.push_back(key->second);
+  const auto place_of = [](const SortedBlock& block) { return block.second; };
+  std::transform(blocks.begin(), others, order.begin(), place_of);
+  std::transform(others, blocks.end(), std::back_inserter(order), place_of);
   reorder(order);
   find_ends(parts, 0, touching, ends_of_touching_);
   find_ends(parts, touching, sorted_, ends_of_others_);

@@ -205,9 +205,10 @@ class PlanarBlockPool {
   std::vector<int> ends_of_touching_, ends_of_others_;  // of each part; the last one: its own
 
   // Memory that sort() works in, kept since new memory costs more than the sorting.
+  using SortedBlock = std::pair<std::uint32_t, int>;  // its earlier body, or its wall; its place
   struct SortingWorkspace {
-    std::vector<std::pair<std::uint64_t, int>> keys;  // key by which they are sorted, place
-    std::vector<int> order;
+    std::vector<SortedBlock> blocks;
+    std::vector<int> ends, order;
     AlignedVector<PlanarGroupHeads> heads;
     AlignedVector<double> values;
     std::vector<int> laws;

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "rodpack/contact/contact_motion.h"
+#include "rodpack/contact/tangential_history.h"
 #include "../planar_simd/kinematics.h"
 #include "rodpack/planar/scene.h"
 #include "rodpack/geometry/vector3.h"
@@ -37,6 +38,9 @@ struct PlanarContact {
     return lever_in_plane<double>({arm_j[0], arm_j[1]}, -crj, normal());
   }
 };
+
+/// The history of a contact in the plane of motion has been put along its present tangent.
+inline detail::NoTurn turn_of_history(const PlanarContact&, double) { return detail::NoTurn(); }
 
 namespace detail {
 

@@ -32,16 +32,16 @@ inline int any_of_flags(const std::uint8_t* flags, const BlockHeads& heads) {
 struct AwakeBlocks {
   int plain = 0, jumped = 0;
 
-  /// Enters a run in the list of its kind if it is `awake`, 0 or 1: without branches, as there is
-  /// no telling which. `any_jumped`: there are bodies that had an event.
+  /// Enters a run that is awake in the list of its kind: without branches, as there is no telling
+  /// which. `any_jumped`: there are bodies that had an event.
   template <bool any_jumped>
-  void enter(int first, int awake, const BlockHeads& heads, const PlanarForceArguments& forces) {
-    const int has_jumped = any_jumped ? any_of_flags(forces.jumped, heads) : 0;
+  void enter(int first, const PlanarForceArguments& forces) {
+    const int has_jumped = any_jumped ? any_of_flags(forces.jumped, BlockHeads(forces, first)) : 0;
     forces.awake[plain] = first;
-    plain += awake & ~has_jumped;
+    plain += 1 - has_jumped;
     if (!any_jumped) return;
     forces.awake_jumped[jumped] = first;
-    jumped += awake & has_jumped;
+    jumped += has_jumped;
   }
 };
 
@@ -50,13 +50,16 @@ template <bool any_jumped>
 inline AwakeBlocks find_awake(const PlanarForceArguments& forces) {
   AwakeBlocks found;
   for (int first = forces.touching.first; first < forces.touching.end; first += run_blocks)
-    found.enter<any_jumped>(first, 1, BlockHeads(forces, first), forces);
+    found.enter<any_jumped>(first, forces);
+  // Of the others most sleep: only those that do not are asked who jumped.
+  int* const others = forces.awake + found.plain;
+  int count = 0;
   for (int first = forces.others.first; first < forces.others.end; first += run_blocks) {
     const BlockHeads heads(forces, first);
-    const int awake =
-        (heads.alive != 0) | any_has_met(forces.travelled, heads.i, heads.j, heads.gap);
-    found.enter<any_jumped>(first, awake, heads, forces);
+    others[count] = first;
+    count += (heads.alive != 0) | any_has_met(forces.travelled, heads.i, heads.j, heads.gap);
   }
+  for (int k = 0; k < count; ++k) found.enter<any_jumped>(others[k], forces);
   return found;
 }
 

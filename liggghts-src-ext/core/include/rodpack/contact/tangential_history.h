@@ -81,6 +81,11 @@ class TurnWithContact {
   double midway_[3];
 };
 
+/// A contact remembers components along the axes of its plane, which turn by themselves.
+struct NoTurn {
+  void operator()(double*) const {}
+};
+
 /// The life of a contact begins within a step, when the gap closes: sets the integral of the
 /// tangential velocity from then on, with the velocities taken as constant. Returns the time since.
 template <class Contact>
@@ -129,6 +134,13 @@ inline void follow_bodies(const double* en, double dt, bool slid, ContactJump& j
 
 }  // namespace detail
 
+/// Turns what a contact remembers from the last step into its present plane; contacts that remember
+/// it otherwise have a function of this name that says so.
+template <class Contact>
+detail::TurnWithContact turn_of_history(const Contact& contact, double dt) {
+  return detail::TurnWithContact(contact, dt);
+}
+
 /// Brings the spring from the last step to this one and stores this step's velocity. `events`: of
 /// the integrator, null if it follows none.
 template <class Contact, class Events>
@@ -156,7 +168,7 @@ TangentialPast advance_spring(const Contact& contact, TangentialHistory& history
   past.known = std::min({history.known + 1, history.slots, 3});
   past.sliding = history.sliding;
   history.sliding = false;
-  const detail::TurnWithContact turn(contact, dt);
+  const auto turn = turn_of_history(contact, dt);
   turn(history.spring);
   if (step.order == 0) {
     past.known = 1;
@@ -383,7 +395,7 @@ void end_tangential_force(const Contact& contact, TangentialHistory& history, co
   const double since = std::min(dt, -contact.deltan / contact.vn);
   if (history.sliding) {
     double load[3], direction[3];
-    const detail::TurnWithContact turn(contact, dt);
+    const auto turn = turn_of_history(contact, dt);
     turn(history.spring);
     turn(history.velocity[0]);
     detail::slide_load(kt, gamma, history.spring, history.velocity[0], contact.en, load);
