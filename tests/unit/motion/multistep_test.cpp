@@ -45,6 +45,20 @@ TEST(Multistep, BeyondTheStartTheWeightsIntegrateTheInterpolant) {
   }
 }
 
+// A force that jumps from 0 to 1 anywhere within a step, unnoticed, shows up in the next evaluation
+// alone. After order - 1 further steps the momentum is what half a step more of it gives than the
+// steps since: less by what is left of the step of the jump, too much by up to a half, too little
+// by up to a half, and on average right.
+TEST(Multistep, AJumpThatGoesUnnoticedIsHalfAStepEarly) {
+  for (int order = 2; order <= max_multistep_order; ++order) {
+    const auto& w = adams_bashforth_weights(order);
+    double momentum = 0;
+    for (int step = 0; step < order; ++step)
+      for (int k = 0; k <= step; ++k) momentum += w[k];
+    EXPECT_NEAR(momentum, order + 0.5, 1e-14) << order;
+  }
+}
+
 TEST(Multistep, StartUpRepairsWhatTheLowerOrdersMissed) {
   // Step n: the interpolant of f_0..f_n from 0 to n+1, less that of f_0..f_{n-1} from 0 to n.
   for (int order = 1; order <= max_multistep_order; ++order) {
