@@ -226,6 +226,22 @@ TEST(TangentialHistory, CapDropLosesTheExcessAtOnce) {
   EXPECT_TRUE(told.events[0].jumps);
 }
 
+// The cap falls by mu k_n vn dt in a step, fifty times what the dashpot carries: the force falls
+// with it, but for the dashpot's share, and there is nothing to follow.
+TEST(TangentialHistory, AForceThatFallsWithTheCapHasNoEvents) {
+  const double v = 1e-4, vn = 0.5;
+  double overlap = 1e-4;
+  TangentialHistory history = history_of(friction * overlap / kt, -v, -v, -v);
+  for (int k = 0; k < 10; ++k) {
+    overlap -= vn * dt;
+    history.step = step.now - 1;
+    RecordedEvents told;
+    const TangentialForce force = evaluate(sheared(overlap, -v, vn), history, told);
+    EXPECT_NEAR(force.force[0], -friction * overlap + gamma_t * v, 1e-12);
+    EXPECT_TRUE(told.events.empty());
+  }
+}
+
 // A slide at the speed v(t) = -a t stands still s before the end of the step. From the spring that
 // carried the cap the surface then moves back by a s^2 / 2: the force falls below the cap, D(t) =
 // gamma a t + kt a t^2 / 2. The event takes D as linear, from its value and its rate now, so that

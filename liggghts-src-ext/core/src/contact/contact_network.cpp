@@ -89,7 +89,8 @@ double largest_eigenvalue(const Form<Coordinates>& form) {
   const Eigen::SelfAdjointEigenSolver<Aligned> solver(Aligned(form), Eigen::EigenvaluesOnly);
   return std::max(0.0, solver.eigenvalues().maxCoeff());
 }
-/// In the plane from the characteristic polynomial, a fifth of the time.
+/// In the plane from the characteristic polynomial, which takes a quarter of the time; the largest
+/// is good to 5e-9 where it coincides with the next one.
 template <>
 double largest_eigenvalue<InPlane>(const Form<InPlane>& form) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
