@@ -45,10 +45,9 @@ TEST(Multistep, BeyondTheStartTheWeightsIntegrateTheInterpolant) {
   }
 }
 
-// A force that jumps from 0 to 1 anywhere within a step, unnoticed, shows up in the next evaluation
-// alone. After order - 1 further steps the momentum is what half a step more of it gives than the
-// steps since: less by what is left of the step of the jump, too much by up to a half, too little
-// by up to a half, and on average right.
+// A force that jumps from 0 to 1 within a step, unnoticed, is known from the end of that step on.
+// Once it fills the formula it has given the momentum of half a step more than there were steps
+// since then, where what was left of the step of the jump should have: on average a half.
 TEST(Multistep, AJumpThatGoesUnnoticedIsHalfAStepEarly) {
   for (int order = 2; order <= max_multistep_order; ++order) {
     const auto& w = adams_bashforth_weights(order);

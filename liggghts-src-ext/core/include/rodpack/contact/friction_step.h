@@ -114,12 +114,12 @@ inline void stick_with(const FrictionStep& step, double cap, const double (&dire
 constexpr double steps_of_followed_tooth = 4.0;
 
 /// Whether a cap drop is one of many in a row, whose teeth the steps hardly show: it takes what the
-/// dashpot carries off the force, `slip` times its constant, and the excess over the cap, `excess`
-/// now, makes that up in less than steps_of_followed_tooth. Without being followed each of them
-/// gives the bodies up to half a step of that too much or too little, on average nothing
-/// (theory.md, section 6). A contact that has just touched is followed in any case.
-inline bool is_short_tooth(const FrictionStep& step, double excess, double slip) {
-  const double growth = excess - excess_before(step);  // in a step
+/// dashpot carries off the force, `slip` times its constant, and the excess over the cap, which has
+/// grown by `growth` (N) in this step, makes that up in less than steps_of_followed_tooth. Without
+/// being followed each of them gives the bodies up to half a step of that too much or too little,
+/// on average nothing (theory.md, section 6). A contact that has just touched is followed in any
+/// case.
+inline bool is_short_tooth(const FrictionStep& step, double growth, double slip) {
   return !(step.since_touch > 0.0) && step.damping * slip < steps_of_followed_tooth * growth;
 }
 
@@ -131,9 +131,14 @@ inline FrictionForce stick(const FrictionStep& step, const double (&stuck)[3], d
                            double (&spring)[3]) {
   FrictionForce result = {};
   const bool stands = step.slid;
-  result.changed = stands || !is_short_tooth(step, trial - cap, slip[0]);
-  result.since = stands ? time_since_standstill(slip, step.known, step.dt)
-                        : time_since_zero(excess_before(step), trial - cap, step.dt);
+  if (stands) {
+    result.changed = true;
+    result.since = time_since_standstill(slip, step.known, step.dt);
+  } else {
+    const double excess = trial - cap, before = excess_before(step);
+    result.changed = !is_short_tooth(step, excess - before, slip[0]);
+    result.since = time_since_zero(before, excess, step.dt);
+  }
   const double at_change = cap_at(step, result.since);
   const double share = result.since / step.dt;
   for (int d = 0; d < 3; ++d) {
